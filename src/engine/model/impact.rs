@@ -37,11 +37,21 @@ const MIN_STEP_TOLERANCE: f64 = 1e-13;
 /// Step tolerance of the second computation relative to the run's: its own error is a hundredth of the difference between both.
 const TIGHTER: f64 = 1e-2;
 
+/// Greatest ratio of the work of a run and of its second computation together to that of a run alone. A second computation takes about 1.5
+/// times as much as the first, so that only the errors of the longest runs stay unknown.
+const WORK_OF_BOTH: [usize; 2] = [5, 3];
+
 /// Simulate one impact on a valid scene.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let stepping = IntegrationMethod::Collocation(local_tolerance(scene));
     let run = run_by(scene, settings, stepping, observer);
-    if settings.estimate && run.end.is_complete() { with_estimate(run, observer) } else { run }
+    if settings.estimate && run.end.is_complete() {
+        let [both, alone] = WORK_OF_BOTH;
+        let most = settings.most_work(scene.run.tolerance).saturating_mul(both) / alone;
+        with_estimate(run, most, observer)
+    } else {
+        run
+    }
 }
 
 /// Error of each step for the tolerance of a scene.
@@ -50,7 +60,9 @@ fn local_tolerance(scene: &Scene) -> f64 {
 }
 
 /// The run with the estimates of its errors, from closed forms or a second computation by another member of the family of methods.
-fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
+///
+/// Both take at most this much work together. If it does not suffice, the errors are unknown.
+fn with_estimate(mut run: Run, work_max: usize, observer: Observer<'_>) -> Run {
     let scene = Arc::clone(&run.scene);
     let tolerance = local_tolerance(&scene);
     let exact = closed_form::results(&scene).map(|exact| (exact, EstimateBasis::ClosedForm));
@@ -59,7 +71,9 @@ fn with_estimate(mut run: Run, observer: Observer<'_>) -> Run {
             observer(&RunSnapshot { so_far: &|| Some(run.clone()), ..*look })
         };
         let stepping = IntegrationMethod::Second(TIGHTER * tolerance);
-        (run_by(&scene, Settings::BARE, stepping, shown), EstimateBasis::SecondComputation)
+        let work_max = Some(work_max.saturating_sub(run.cost.work()));
+        let settings = Settings { work_max, ..Settings::BARE };
+        (run_by(&scene, settings, stepping, shown), EstimateBasis::SecondComputation)
     });
     if second.end != EndReason::Cancelled {
         estimate::set(&mut run, &second, basis);

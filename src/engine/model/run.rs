@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::labelled_enum::labelled_enum;
-use crate::model::scene::{Criterion, GRAVITY_M_S2, Projectile, Scene};
+use crate::model::scene::{Criterion, GRAVITY_M_S2, Projectile, RunSettings, Scene};
 use crate::numerics::larger;
 
 mod check;
@@ -26,14 +26,30 @@ pub struct Settings {
     pub every_s: Option<f64>,
     /// Compute the error estimate (from a closed form or a second computation).
     pub estimate: bool,
+    /// Work after which a run ends undecided, as [`Cost::work`] counts it; `None` for [`WORK_MAX`], and more at a tight tolerance.
+    pub work_max: Option<usize>,
 }
 
 impl Settings {
     /// The results alone.
-    pub const BARE: Self = Self { series: false, every_s: None, estimate: false };
+    pub const BARE: Self = Self { series: false, every_s: None, estimate: false, work_max: None };
     /// The series too.
     pub const SERIES: Self = Self { series: true, ..Self::BARE };
+
+    /// Work after which a run to a tolerance ends undecided.
+    pub(in crate::model) fn most_work(&self, tolerance: f64) -> usize {
+        let more = DIGIT_WORK.powf((RunSettings::default().tolerance / tolerance).log10());
+        self.work_max.unwrap_or_else(|| (WORK_MAX as f64 * larger(more, 1.0)) as usize)
+    }
 }
+
+/// Work after which a run ends undecided at the default tolerance, as [`Cost::work`] counts it: about 0.1 s, at 0.05 us each.
+pub const WORK_MAX: usize = 2_200_000;
+/// Factor on this for each digit by which a tolerance is tighter: shorter steps, and more of what happens is resolved.
+const DIGIT_WORK: f64 = 1.5;
+/// Work of a step, a turn or a change of the contact beside its evaluations: states on the step, events, forces and work on it take about
+/// as long as so many evaluations.
+const STEP_WORK: usize = 60;
 
 /// Most rows at equal times: a series of that many takes about half a gigabyte.
 pub const EVERY_ROWS_MAX: usize = 5_000_000;
@@ -392,6 +408,13 @@ pub struct Cost {
     pub method: &'static str,
     /// Why that method.
     pub reason: &'static str,
+}
+
+impl Cost {
+    /// Work of a run, in evaluations of the equations of motion.
+    pub fn work(&self) -> usize {
+        self.rhs_evaluations + STEP_WORK * (self.steps + self.turns + self.events)
+    }
 }
 
 impl Run {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::model::appendix::listing;
 use crate::model::impact;
 use crate::model::run::{
-    AtLeast, ContactMode, EndReason, MechanismLoad, Outcome, Run, RunWarning, envelope,
+    AtLeast, ContactMode, EndReason, MechanismLoad, Outcome, Run, RunWarning, WORK_MAX, envelope,
 };
 pub use crate::model::run::{Observer, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
@@ -76,6 +76,9 @@ fn check_rows(settings: &Settings) -> Result<(), VariableError> {
     }
 }
 
+/// Work of a run beside another: a third of that of a run by itself.
+const BESIDE_WORK_MAX: usize = WORK_MAX / 3;
+
 /// Runs the same shot with a plastic interface, without series and estimate, for comparison with a fused one. Returns `None` for a stack, a
 /// scene without interface or with the plastic law, and if the observer cancels.
 pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
@@ -87,7 +90,8 @@ pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
     }
     let mut plastic = scene.clone();
     plastic.interface.law = InterfaceLaw::Plastic;
-    let run = simulate(&Arc::new(plastic), &Settings::BARE, observer).ok()?;
+    let settings = Settings { work_max: Some(BESIDE_WORK_MAX), ..Settings::BARE };
+    let run = simulate(&Arc::new(plastic), &settings, observer).ok()?;
     (run.end != EndReason::Cancelled).then_some(run)
 }
 

@@ -186,14 +186,14 @@ pub fn compare(
             context.count(1);
             let job = Job::new(method, parameter, scene);
             let result = match reference {
+                _ if is_costly => Err(Refusal::TooMuchWork),
                 None => Err(job.run().err().unwrap_or(Refusal::NoReference)),
-                Some(_) if is_costly => Err(Refusal::TooMuchWork),
-                Some(reference) => {
-                    let result = measure(scene, &job, &reference, effort.point_s, clock);
-                    let work = result.map_or(0, |measured| measured.answer.evaluations);
-                    is_costly = work > effort.evaluations;
-                    result
-                }
+                Some(reference) => measure(scene, &job, &reference, effort.point_s, clock),
+            };
+            is_costly |= match result {
+                Ok(measured) => measured.answer.evaluations > effort.evaluations,
+                // A tighter tolerance takes more evaluations; a shorter fixed step may be what a method lacks.
+                Err(refusal) => refusal.is_of_work() && !parameter.is_step(),
             };
             if let Some(method) = report.methods.last_mut() {
                 method.points.push(Point { parameter, result });

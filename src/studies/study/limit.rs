@@ -13,7 +13,7 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::fixed_significant;
 use cmra_engine::model::variables::{self, VariableError};
 use residual_law::ResidualLaw;
-use search::{BESIDE, ShotRunner};
+use search::{BESIDE, ShotRunner, ShotWork};
 
 mod closures;
 pub mod residual_law;
@@ -94,6 +94,13 @@ impl Limit {
     /// The limit velocity, m/s, where there is one.
     pub fn velocity_m_s(self) -> Option<f64> {
         if let Self::Found { velocity_m_s, .. } = self { Some(velocity_m_s) } else { None }
+    }
+
+    /// The limit velocity, m/s, if all slower shots are decided.
+    fn decided_m_s(self) -> Option<f64> {
+        let is_decided =
+            |limit: &Self| !matches!(limit, Self::Found { undecided_at_m_s: Some(_), .. });
+        Some(self).filter(is_decided)?.velocity_m_s()
     }
 
     /// Why there is none.
@@ -193,9 +200,17 @@ impl LimitReport {
 
 /// Find the limit of a scene and its residual-velocity curve.
 pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<LimitReport, VariableError> {
+    find_within(scene, context, &mut ShotWork::default())
+}
+
+fn find_within(
+    scene: &Arc<Scene>,
+    context: &mut Context<'_>,
+    work: &mut ShotWork,
+) -> Result<LimitReport, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 41 + 2 * BESIDE.len() + BELOW + ABOVE);
-    let mut range = ShotRunner { scene, context };
+    let mut range = ShotRunner { scene, context, work };
     let limit = range.whole_limit();
     let shots = range.curve(limit);
     let perforated = shots.iter().filter_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
@@ -225,9 +240,17 @@ pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<LimitReport
 
 /// The limit of a scene and nothing else.
 pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
+    alone_within(scene, context, &mut ShotWork::default())
+}
+
+fn alone_within(
+    scene: &Arc<Scene>,
+    context: &mut Context<'_>,
+    work: &mut ShotWork,
+) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len());
-    Ok(ShotRunner { scene, context }.whole_limit())
+    Ok(ShotRunner { scene, context, work }.whole_limit())
 }
 
 /// The limit velocity of a scene, m/s.

@@ -42,6 +42,8 @@ pub(super) struct HybridMode {
     pub(super) piece: AreaPiece,
     /// Greatest travel so far, as far as the contact is beyond it only while it deepens.
     pub(super) deepest_m: f64,
+    /// Volumes that the nose has swept up to where plastic bodies stick and up to the bottom of the hole, m³; `None` while they slip.
+    pub(super) stuck_m3: Option<[f64; 2]>,
     /// Displacement from which the state's is measured: the stop's, once it has been struck, so that bounces keep their digits, and
     /// zero again where the plate is nearer to that.
     pub(super) origin_m: f64,
@@ -120,6 +122,7 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
         is_pressed: false,
         piece: setup.geometry.piece(0.0),
         deepest_m: 0.0,
+        stuck_m3: None,
         origin_m: 0.0,
         spring: setup.spring.clone(),
         elastic: setup.with_stop(&setup.spring),
@@ -209,6 +212,11 @@ pub(super) fn after(
     }
     unload(setup, &mut next, state);
     setup.update_weight(&mut next, mode.contact);
+    if next.contact != mode.contact {
+        next.stuck_m3 = None;
+        let is_stuck = setup.plastic && next.contact == Contact::Fused;
+        next.stuck_m3 = is_stuck.then(|| (Equations { setup, mode: &next }).stuck_m3(state));
+    }
     next
 }
 
@@ -428,7 +436,7 @@ pub(super) fn apply_remaining_slip(
     let swept_m3 = setup.geometry.swept_m3(state.q_m) - setup.geometry.swept_m3(from_m);
     let left = state.w_m_s * state.w_m_s - 2.0 * setup.strength_pa * swept_m3 / setup.joined_kg;
     state.w_m_s = larger(left, 0.0).sqrt().copysign(state.w_m_s);
-    mode.deepest_m = state.q_m;
+    (mode.deepest_m, mode.stuck_m3) = (state.q_m, None);
 }
 
 #[cfg(test)]

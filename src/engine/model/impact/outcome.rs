@@ -144,8 +144,15 @@ impl Equations<'_> {
 
     /// Returns the work needed to pull the projectile out of its hole, J; infinite for a fused interface.
     pub(super) fn pull_out_j(&self, state: &State) -> f64 {
-        let ImpactParameters { plastic, grip, strength_pa, ref geometry, .. } = *self.setup;
-        if plastic { grip * strength_pa * geometry.swept_m3(state.q_m) } else { f64::INFINITY }
+        let ImpactParameters { plastic, grip, strength_pa, .. } = *self.setup;
+        if plastic { grip * strength_pa * self.stuck_m3(state)[0] } else { f64::INFINITY }
+    }
+
+    /// Volumes that the nose has swept up to its place and up to the bottom of the hole, m³.
+    pub(super) fn stuck_m3(&self, state: &State) -> [f64; 2] {
+        let Equations { setup, mode } = self;
+        mode.stuck_m3
+            .unwrap_or_else(|| [state.q_m, mode.deepest_m].map(|q_m| setup.geometry.swept_m3(q_m)))
     }
 
     /// Returns an upper bound of the further depth of the hole, m, while the projectile slips back and forth above its bottom.
@@ -206,7 +213,8 @@ impl Equations<'_> {
         let strength_n = self.strength_n(state);
         let friction_j = self.pull_out_j(state);
         // The remaining energy can neither deepen the hole, after friction on the way to its bottom, nor pull the projectile out.
-        let above_m3 = setup.geometry.swept_m3(mode.deepest_m) - setup.geometry.swept_m3(state.q_m);
+        let [here_m3, bottom_m3] = self.stuck_m3(state);
+        let above_m3 = bottom_m3 - here_m3;
         let to_bottom_j = setup.grip * setup.strength_pa * larger(above_m3, 0.0);
         let is_nothing = |energy_j: f64| {
             energy_j < to_bottom_j + NEGLIGIBLE * mode.deepest_m * strength_n

@@ -15,8 +15,6 @@ use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::step::{StagePredictor, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
-/// Evaluations of the equations after which a run ends undecided: about 0.2 s, at 0.15 us each.
-const EVALUATIONS_MAX: usize = 1_600_000;
 /// Length of the first step in passages of a tip radius.
 const FIRST_STEP: f64 = 0.5;
 /// Part of a step that is tried where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
@@ -31,9 +29,8 @@ const SECANTS: usize = 8;
 const MIN_STEP_FRACTION: f64 = 1e-15;
 /// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
 const SIMULTANEOUS_EVENT_TOLERANCE: f64 = 1e-9;
-/// Turns of the plate and changes of its contact after which an undecided run ends, and those after which they are to blame where its work
-/// is used up before.
-const CHANGES_MAX: usize = 2_000;
+/// Turns of the plate and changes of its contact after the first contact from which on these, and not the steps between them, use up the
+/// work of a run. Decided runs rarely have more.
 const CHANGES_FEW: usize = 100;
 /// Turns of the plate to which it is followed for its loads, forward and back, and steps in which one that creeps may not come to them.
 const TURNS_FOLLOWED: usize = 2;
@@ -51,6 +48,8 @@ struct IntegrationLoop<'a, M, const S: usize> {
     previous: Option<(f64, [[f64; S]; 2])>,
     /// Length of the next step, s.
     h_s: f64,
+    /// Work after which the run ends undecided.
+    work_max: usize,
 }
 
 /// Integrates one impact by a method. A run that exhausts its evaluation budget ends early with partial results.
@@ -82,6 +81,7 @@ pub(super) fn run<const S: usize>(
         last: None,
         previous: None,
         h_s: FIRST_STEP * setup.passage_s(),
+        work_max: settings.most_work(scene.run.tolerance),
     };
     progress.begin();
     let mut end = progress.run_until_decided(observer);
@@ -140,12 +140,12 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             return Some(EndReason::Cancelled);
         }
         let record = &self.course.record;
-        let Cost { rhs_evaluations, events, turns, .. } = record.cost;
+        let Cost { events, turns, .. } = record.cost;
         // The first contact ends, however often the plate turns in it.
         let is_over = record.first_arrest.is_some() || record.exit.is_some();
-        let changes = if is_over && self.course.has_no_horizon() { turns + events } else { 0 };
-        if changes > CHANGES_MAX || rhs_evaluations + S * (events + turns) > EVALUATIONS_MAX {
-            let oscillates = changes > CHANGES_FEW;
+        if record.cost.work() > self.work_max {
+            let oscillates =
+                is_over && self.course.has_no_horizon() && turns + events > CHANGES_FEW;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
         let Some(event) = missed else { return self.advance() };

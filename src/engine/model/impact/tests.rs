@@ -299,3 +299,25 @@ fn valid_a_plug_is_sheared_as_by_equal_steps_of_both_bodies() {
         }
     }
 }
+
+/// A run that needs more work than it may take is undecided, with the greatest depth for which there is energy. One whose second
+/// computation needs more has no error.
+#[test]
+fn a_run_takes_no_more_work_than_it_may() {
+    let scene = Arc::new(scene_with("k=1e6 gamma=2"));
+    let by = |work_max: usize| {
+        let settings = Settings { estimate: true, work_max: Some(work_max), ..Settings::BARE };
+        simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap()
+    };
+    let whole = by(usize::MAX);
+    let needed = whole.cost.work();
+    let depth_m = whole.final_penetration_m.unwrap();
+    let few = by(needed / 2);
+    assert_eq!((few.end, few.final_penetration_m), (EndReason::StepBudget, None));
+    assert!(few.cost.work() < needed && few.error_estimate.is_none());
+    assert!(few.at_least.penetration_m.unwrap() < depth_m);
+    assert!(few.penetration_at_most_m.is_none_or(|most_m| most_m > depth_m));
+    let alone = by(needed);
+    assert_eq!(alone.final_penetration_m, whole.final_penetration_m);
+    assert!(whole.error_estimate.unwrap() < 1e-9 && alone.error_estimate == Some(f64::INFINITY));
+}

@@ -94,6 +94,13 @@ impl Refusal {
     }
 }
 
+impl Refusal {
+    /// Returns `true` if the evaluations of a run did not suffice.
+    pub(super) fn is_of_work(self) -> bool {
+        matches!(self, Self::Ended(EndReason::StepBudget | EndReason::Oscillates))
+    }
+}
+
 /// Parameter that sets accuracy and run time of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Parameter {
@@ -104,6 +111,11 @@ pub enum Parameter {
 }
 
 impl Parameter {
+    /// Returns `true` for a step size.
+    pub(super) fn is_step(self) -> bool {
+        matches!(self, Self::Step(_))
+    }
+
     /// Returns the step size or tolerance.
     pub fn value(self) -> f64 {
         match self {

@@ -126,6 +126,18 @@ fn a_point_of_much_work_is_the_last_of_its_method_and_a_failed_one_is_not() {
     assert_eq!(results[..3], [gave_up, None, Some(Refusal::TooMuchWork)], "{results:?}");
 }
 
+/// Nothing decides this run within its evaluations: each method that chooses its steps tries it once.
+#[test]
+fn a_tolerance_that_takes_too_many_evaluations_is_the_last_of_its_method() {
+    let report = report(&scene("interface=plastic g=0 n=0.26 k=4e7 b=3 m=2"), SettingGrid::Quick);
+    for method in &report.methods {
+        let is_given_up = |point: &&Point| {
+            !point.parameter.is_step() && point.result.is_err_and(Refusal::is_of_work)
+        };
+        assert!(method.points.iter().filter(is_given_up).count() <= 1, "{method:?}");
+    }
+}
+
 /// A report of points with a tolerance, an error and a run time each.
 fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
     let point = |(tolerance, depth_error, min_s): &(f64, f64, f64)| {

@@ -9,6 +9,7 @@ use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::shot_outcome::{ShotOutcome, decide, edge};
 use crate::study::verdict::Verdict;
 use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::Settings;
 use cmra_engine::numerics::{larger, smaller};
 
 /// Relative width to which the thickness is closed in.
@@ -138,7 +139,8 @@ fn shoot_by_law(scene: Scene) -> Option<Shot> {
             MechanismLoadCase::from_scene(&scene, first_contact::max_displacement_m(&scene, &end));
         return Some(Shot { verdict: ShotOutcome::of_contact(&scene, &end), demand });
     }
-    let (run, verdict) = decide(&Arc::new(scene), &mut |_| ControlFlow::Continue(()))?;
+    let (run, verdict) =
+        decide(&Arc::new(scene), &Settings::BARE, &mut |_| ControlFlow::Continue(()))?;
     let demand = MechanismLoadCase::from_scene(&run.scene, run.max_plate_displacement_m);
     Some(Shot { verdict, demand })
 }

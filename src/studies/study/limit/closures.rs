@@ -4,11 +4,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::study::context::Context;
-use crate::study::limit::alone;
+use crate::study::limit::search::ShotWork;
 use crate::study::limit::shot_outcome::{ShotOutcome, decide};
+use crate::study::limit::{Limit, alone_within};
 use cmra_engine::model::closed_form::ballistic_limit_m_s as closed_form;
 use cmra_engine::model::scene::{Closure, ContactModel, Nose, Scene, Target};
-use cmra_engine::model::simulate::RunSnapshot;
+use cmra_engine::model::simulate::{RunSnapshot, Settings};
 use cmra_engine::numerics::{larger, smaller};
 
 /// How near to the thickness at which a closure changes a plate has to be for the jump there to matter, relative.
@@ -32,16 +33,20 @@ pub struct Closures {
 impl Closures {
     /// The limits by the three closures; `None` where the flow strength does not come from a yield stress, under another nose than a
     /// hemisphere, which has one law, or when stopped.
-    pub(super) fn from_scene(scene: &Scene, context: &mut Context<'_>) -> Option<Self> {
+    pub(super) fn from_scene(
+        scene: &Scene,
+        context: &mut Context<'_>,
+        work: &mut ShotWork,
+    ) -> Option<Self> {
         let has_one = scene.projectile.nose != Nose::Hemispherical;
         if has_one || scene.closure() == Closure::Given {
             return None;
         }
         let mut by = |closure: Closure| {
             let own = Arc::new(by_closure(scene, closure));
-            let limit = alone(&own, context).ok();
+            let limit = alone_within(&own, context, work).ok();
             let drag = own.target_in_effect().drag_coefficient;
-            (limit.and_then(super::Limit::velocity_m_s), drag)
+            (limit.and_then(Limit::decided_m_s), drag)
         };
         let (double_yield_m_s, double_yield_drag) = by(Closure::DoubleYield);
         let (cavity_m_s, cavity_drag) = by(Closure::Cavity);
@@ -71,14 +76,18 @@ pub fn is_stopped_by_every_closure(scene: &Scene) -> bool {
                 return own.projectile.velocity_m_s < limit_m_s;
             }
             let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
-            let shot = decide(&Arc::new(own), go_on);
+            let shot = decide(&Arc::new(own), &Settings::BARE, go_on);
             shot.is_some_and(|(_, outcome)| outcome == ShotOutcome::Stopped)
         })
 }
 
 /// Between which limits, m/s, the limit of a scene jumps at the nearest thickness where its closure changes; `None` where its closure does
 /// not depend on the thickness, or its plate is not near that thickness.
-pub(super) fn jump(scene: &Scene, context: &mut Context<'_>) -> Option<(f64, f64)> {
+pub(super) fn jump(
+    scene: &Scene,
+    context: &mut Context<'_>,
+    work: &mut ShotWork,
+) -> Option<(f64, f64)> {
     let nose = scene.projectile.nose;
     if scene.target.closure != Closure::ByThickness || nose != Nose::Hemispherical {
         return None;
@@ -96,7 +105,7 @@ pub(super) fn jump(scene: &Scene, context: &mut Context<'_>) -> Option<(f64, f64
         own.target = own.target.under(closure, nose);
         // The drag of the closure, which a cylindrical one would choose anew.
         own.target.give_drag();
-        alone(&Arc::new(own), context).ok()?.velocity_m_s()
+        alone_within(&Arc::new(own), context, work).ok()?.decided_m_s()
     };
     at_change(ranges[after - 1].0).zip(at_change(ranges[after].0))
 }

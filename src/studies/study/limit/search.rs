@@ -28,10 +28,40 @@ const HOLDS_WIDTH: f64 = 1e-5;
 /// The runs' tolerance, at most.
 const TOLERANCE: f64 = 1e-10;
 
+/// Work of all shots of a limit together, as [`Cost::work`](cmra_engine::model::run::Cost::work) counts it: about 2 s, at 0.05 us each.
+pub(super) const WORK_MAX: usize = 40_000_000;
+/// Ratio of the work that is left to that of the next shot: a limit takes one to three hundred shots, of which the first decide where the
+/// others are.
+const SHOTS_LEFT: usize = 32;
+/// Work that every shot may take: an ordinary one takes less.
+const WORK_OF_SHOT: usize = 20_000;
+
+/// Work of the shots of a limit. Shots that need more than is left for them end undecided.
+#[derive(Debug, Default)]
+pub(super) struct ShotWork {
+    /// Work of all shots up to now.
+    pub(super) spent: usize,
+}
+
+impl ShotWork {
+    /// The settings of the next shot, with a series or without.
+    fn of_shot(&self, settings: Settings) -> Settings {
+        let left = WORK_MAX.saturating_sub(self.spent);
+        let most = usize::max(left / SHOTS_LEFT, WORK_OF_SHOT);
+        Settings { work_max: Some(most), ..settings }
+    }
+
+    /// Adds the work of shots.
+    fn spend(&mut self, work: usize) {
+        self.spent += work;
+    }
+}
+
 /// Runs shots at a scene. Shots count as pieces of work.
 pub(super) struct ShotRunner<'s, 'c, 'w> {
     pub(super) scene: &'s Arc<Scene>,
     pub(super) context: &'c mut Context<'w>,
+    pub(super) work: &'c mut ShotWork,
 }
 
 impl ShotRunner<'_, '_, '_> {
@@ -47,8 +77,10 @@ impl ShotRunner<'_, '_, '_> {
         if !self.should_continue() {
             return None;
         }
-        let found = shot(self.scene, impact_m_s, &mut self.context.observer());
-        (!self.context.is_stopped()).then_some(found)
+        let settings = self.work.of_shot(Settings::BARE);
+        let found = shot(self.scene, impact_m_s, &settings, &mut self.context.observer());
+        self.work.spend(found.work);
+        (!self.context.is_stopped()).then_some((found.shot, found.outcome))
     }
 
     /// Whether a shot goes through; `None` when stopped.
@@ -68,7 +100,9 @@ impl ShotRunner<'_, '_, '_> {
             return None;
         }
         let own = aimed(self.scene, limit_m_s * (1.0 - BESIDE_LIMIT));
-        let mut run = simulate(&own, &Settings::SERIES, &mut self.context.observer()).ok()?;
+        let settings = self.work.of_shot(Settings::SERIES);
+        let mut run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
+        self.work.spend(work_of(&run));
         // The page of a limit has no depth to compare.
         run.warnings.retain(|warning| *warning != RunWarning::NoBaseline);
         (run.end != EndReason::Cancelled).then_some(run)
@@ -101,15 +135,22 @@ impl ShotRunner<'_, '_, '_> {
 
     /// The limits by both closures; `None` where there is but one, or when stopped.
     pub(super) fn closures(&mut self) -> Option<Closures> {
-        let scene = self.scene;
-        self.should_continue()
-            .then(|| self.context.uncounted(|context| Closures::from_scene(scene, context)))?
+        let Self { scene, .. } = *self;
+        if !self.should_continue() {
+            return None;
+        }
+        let work = &mut *self.work;
+        self.context.uncounted(|context| Closures::from_scene(scene, context, work))
     }
 
     /// The limits between which the limit jumps at h = D; `None` where it does not, or when stopped.
     pub(super) fn jump(&mut self) -> Option<(f64, f64)> {
-        let scene = self.scene;
-        self.should_continue().then(|| self.context.uncounted(|context| jump(scene, context)))?
+        let Self { scene, .. } = *self;
+        if !self.should_continue() {
+            return None;
+        }
+        let work = &mut *self.work;
+        self.context.uncounted(|context| jump(scene, context, work))
     }
 
     /// The limit over all velocities, by closed form or by outcome.
@@ -235,25 +276,61 @@ impl ShotRunner<'_, '_, '_> {
             Limit::Unknown => Vec::new(),
         };
         let (scene, stop) = (self.scene, self.context.stop());
+        // The same for all, in whatever order they end.
+        let settings = self.work.of_shot(Settings::BARE);
         let shoot = |velocity_m_s: &f64| {
-            let (found, _) = shot(scene, *velocity_m_s, &mut |_| stop.flow());
+            let found = shot(scene, *velocity_m_s, &settings, &mut |_| stop.flow());
             (!stop.is_set()).then_some(found)
         };
-        self.context.map_items(&velocities, shoot, |context, _| context.should_continue())
+        let all =
+            self.context.map_items(&velocities, shoot, |context, _| context.should_continue());
+        self.work.spend(all.iter().map(|found| found.work).sum());
+        all.into_iter().map(|found| found.shot).collect()
     }
 }
 
+/// A shot with its verdict and its work.
+#[derive(Clone, Copy, Debug)]
+struct DecidedShot {
+    shot: Shot,
+    outcome: ShotOutcome,
+    work: usize,
+}
+
+/// Work of a run of all plates.
+fn work_of(run: &Run) -> usize {
+    let behind = run.stack.iter().flat_map(|stack| &stack.behind);
+    behind.map(|run| run.cost.work()).sum::<usize>() + run.cost.work()
+}
+
 /// A shot at a scene at another velocity, followed until it is decided or stopped.
-fn shot(scene: &Scene, impact_m_s: f64, observer: Observer<'_>) -> (Shot, ShotOutcome) {
-    let shot = |outcome, residual_m_s| Shot { impact_m_s, outcome, residual_m_s };
+fn shot(
+    scene: &Scene,
+    impact_m_s: f64,
+    settings: &Settings,
+    observer: Observer<'_>,
+) -> DecidedShot {
+    let without_run = |own: Outcome, outcome: ShotOutcome| DecidedShot {
+        shot: Shot { impact_m_s, outcome: own, residual_m_s: None },
+        outcome,
+        work: 0,
+    };
     let aimed = aimed(scene, impact_m_s);
     if aimed.closing_velocity_m_s() <= 0.0 {
-        return (shot(Outcome::Separated, None), ShotOutcome::Stopped);
+        return without_run(Outcome::Separated, ShotOutcome::Stopped);
     }
     // The scene has been found valid, and so is any velocity that reaches the plate.
-    match decide(&aimed, observer) {
-        Some((run, verdict)) => (shot(run.shot_outcome(), run.shot_residual_m_s()), verdict),
-        None => (shot(Outcome::Moving, None), ShotOutcome::Undecided),
+    match decide(&aimed, settings, observer) {
+        Some((run, outcome)) => DecidedShot {
+            shot: Shot {
+                impact_m_s,
+                outcome: run.shot_outcome(),
+                residual_m_s: run.shot_residual_m_s(),
+            },
+            outcome,
+            work: work_of(&run),
+        },
+        None => without_run(Outcome::Moving, ShotOutcome::Undecided),
     }
 }
 

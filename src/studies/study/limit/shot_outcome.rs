@@ -50,16 +50,18 @@ impl ShotOutcome {
     }
 }
 
-/// A shot and its verdict; one that its horizon leaves undecided is followed beyond it. `None` for a scene that makes no physical sense.
+/// A shot and its verdict by bare runs of these settings; one that its horizon leaves undecided is followed beyond it. `None` for a scene
+/// that makes no physical sense.
 pub(in crate::study) fn decide(
     scene: &Arc<Scene>,
+    settings: &Settings,
     observer: Observer<'_>,
 ) -> Option<(Run, ShotOutcome)> {
-    let mut run = simulate(scene, &Settings::BARE, observer).ok()?;
+    let mut run = simulate(scene, settings, observer).ok()?;
     if scene.run.horizon_s.is_some() && ShotOutcome::from_run(&run) == ShotOutcome::Undecided {
         let mut own = Scene::clone(scene);
         own.run.horizon_s = None;
-        run = simulate(&Arc::new(own), &Settings::BARE, observer).ok()?;
+        run = simulate(&Arc::new(own), settings, observer).ok()?;
     }
     let verdict = ShotOutcome::from_run(&run);
     Some((run, verdict))

@@ -1,11 +1,12 @@
 //! Limits against closed forms, and the absence of a limit said as such.
 
+use super::search::WORK_MAX;
 use super::shot_outcome::ShotOutcome;
-
 use super::*;
 use crate::study::context::never_cancel;
 use crate::study::{changed_free_plate, plain_run};
 use cmra_engine::model::contact::Geometry;
+use cmra_engine::numerics::random::Random;
 
 fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(changed_free_plate(pairs).unwrap())
@@ -20,7 +21,8 @@ fn by_outcome(pairs: &str) -> f64 {
     let scene = scene(pairs);
     let mut watch = never_cancel;
     let context = &mut Context::new(1, &mut watch);
-    let mut range = ShotRunner { scene: &scene, context };
+    let work = &mut ShotWork::default();
+    let mut range = ShotRunner { scene: &scene, context, work };
     range.search().unwrap().velocity_m_s().unwrap()
 }
 
@@ -135,4 +137,24 @@ fn valid_the_residual_velocity_at_the_limit_is_not_that_of_a_faster_shot() {
     // A plate that can yield throws the shot back.
     let rebounds = found("k=1e5 interface=plastic");
     assert!(rebounds.residual_at_limit_m_s.is_none_or(|left| left < 0.0));
+}
+
+/// Random scenes inside the numerical envelope, and one whose shots are all slow. Few shots follow when the work is used up.
+#[test]
+fn a_limit_takes_a_bounded_amount_of_work() {
+    let mut random = Random::new(55);
+    let mut scenes = vec!["interface=plastic g=0 n=0.26 k=4e7 b=3 m=2".to_owned()];
+    for _ in 0..12 {
+        let mut log = |low: f64, high: f64| low * (high / low).powf(random.unit());
+        let (n, k, b, m) = (log(0.1, 5.0), log(1e2, 7.5e7), log(1e-2, 2e4), log(0.2, 5.0));
+        let (gamma, d, g) = (log(0.05, 70.0), log(1e-6, 1.0), log(0.01, 2.0));
+        scenes.push(format!("interface=plastic n={n} k={k} b={b} m={m} gamma={gamma} d={d} g={g}"));
+    }
+    for pairs in scenes {
+        let mut work = ShotWork::default();
+        let mut watch = never_cancel;
+        let context = &mut Context::new(1, &mut watch);
+        find_within(&scene(&pairs), context, &mut work).unwrap();
+        assert!(work.spent < 2 * WORK_MAX, "{pairs}: {}", work.spent);
+    }
 }
