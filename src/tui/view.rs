@@ -159,7 +159,7 @@ fn from_table(app: &App) -> Vec<(String, String)> {
 }
 
 /// The key to show, with its opposite or its companion where there is one: `h/l`.
-fn pair(app: &App, action: Action) -> String {
+pub(crate) fn pair(app: &App, action: Action) -> String {
     let pair = match action {
         Action::Right => [Action::Left, Action::Right],
         Action::Down => [Action::Down, Action::Up],

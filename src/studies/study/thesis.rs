@@ -14,8 +14,11 @@ use cmra_engine::model::variables;
 use cmra_engine::numerics::statistics;
 use cmra_engine::numerics::{larger, smaller};
 
+mod captions;
 mod figures;
 mod tables;
+
+pub use captions::caption;
 
 enumeration! {
     /// Verdict on a claim.

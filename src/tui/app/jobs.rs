@@ -185,7 +185,7 @@ fn task(
         Task { id, page, threads, budget, scene: Arc::clone(&scene), request: request.clone() };
     app.request(Effect::Submit(task));
     let is_look = budget.is_some();
-    Running { id, tab, is_look, scene, request, points: None, reached: None }
+    Running { id, tab, is_look, scene, request, points: None, elapsed: None, reached: None }
 }
 
 /// A report of a study, with the study as it is now.
@@ -197,8 +197,8 @@ fn study_report(app: &mut App, at: usize, body: &ReportBody) -> Running {
         return app.jobs.studies.remove(at);
     }
     let running = &mut app.jobs.studies[at];
-    if let ReportBody::Progress { progress: JobProgress::Points(done, total), .. } = *body {
-        running.points = Some((done, total));
+    if let ReportBody::Progress { progress: JobProgress::Points(done, total), elapsed } = *body {
+        (running.points, running.elapsed) = (Some((done, total)), Some(elapsed));
     }
     running.clone()
 }

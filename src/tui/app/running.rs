@@ -9,6 +9,10 @@ use crate::worker::{Page, ReportBody};
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::context::{Answer, Reach};
 
+/// Cells of the bar of a study's progress, and the time from which on it is shown.
+const GAUGE: usize = 8;
+const GAUGE_FROM: Duration = Duration::from_secs(1);
+
 /// A task that has not ended.
 #[derive(Clone, Debug)]
 pub struct Running {
@@ -21,6 +25,8 @@ pub struct Running {
     pub request: StudyRequest,
     /// Points done and in all, once known.
     pub points: Option<(usize, usize)>,
+    /// Elapsed time at the last report of progress, once known.
+    pub elapsed: Option<Duration>,
     /// Simulated time reached by a run, s, and the elapsed time at its report, once known.
     pub reached: Option<(f64, Duration)>,
 }
@@ -31,11 +37,23 @@ impl Running {
         slot(self.tab, &self.request) == slot(tab, request)
     }
 
-    /// `: 12 of 30`; empty where nothing is known yet.
+    /// `: 12 of 30 [###.....] 20 s left`; empty where nothing is known yet.
     pub fn counted(&self, of: &str, what: &str) -> String {
-        let count =
-            |(done, total): (usize, usize)| format!(": {} {of} {total}{what}", done.min(total));
-        self.points.map_or_else(String::new, count)
+        let Some((done, total)) = self.points else { return String::new() };
+        let done = done.min(total);
+        let gauge = self.gauge(done, total).unwrap_or_default();
+        format!(": {done} {of} {total}{what}{gauge}")
+    }
+
+    /// The share that is done as a bar, and the time that the rest takes at the pace so far; `None` for what ends soon.
+    fn gauge(&self, done: usize, total: usize) -> Option<String> {
+        let elapsed = self.elapsed.filter(|it| *it >= GAUGE_FROM && done > 0)?;
+        let full = done * GAUGE / total.max(1);
+        let bar = "#".repeat(full) + &".".repeat(GAUGE - full);
+        let left_s = elapsed.as_secs() * (total - done) as u64 / done as u64;
+        let left =
+            if left_s < 100 { format!("{left_s} s") } else { format!("{} min", left_s / 60) };
+        Some(format!(" [{bar}] {left} left"))
     }
 }
 

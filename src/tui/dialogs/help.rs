@@ -7,8 +7,9 @@ use crate::tui::pages::limit::CANDIDATES;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
 use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::pages::numerics::stability::stiff_scenes_words;
-use crate::tui::pages::{self, run};
+use crate::tui::pages::{self, explore, run};
 use crate::tui::prelude::*;
+use crate::tui::view::pair;
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 use cmra_engine::model::units::shortest;
@@ -51,7 +52,7 @@ impl List for Help {
 /// Keys, what they do, and how that is written: those of the focused pane first, then those that work everywhere.
 fn rows(app: &App) -> impl Iterator<Item = (String, &'static str, Role)> {
     let own = pages::spec(app.pane()).keys.iter();
-    let own = own.map(|row| (app.keymap.label(row.action), row.help, Role::Text));
+    let own = own.map(|row| (pair(app, row.action), row.help, Role::Text));
     let everywhere = GLOBAL_KEYS.iter();
     own.chain(everywhere.map(|line| (app.keymap.line_label(line), line.meaning, Role::Dim)))
 }
@@ -69,6 +70,7 @@ fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
     let words = match app.pane() {
         CANDIDATES => COMPARISON_WORDS.to_owned(),
         STIFF_SCENES => stiff_scenes_words(),
+        explore::RESULTS => comment(app),
         _ if is_run => RUN_WORDS.to_owned(),
         _ => return Vec::new(),
     };
@@ -79,6 +81,13 @@ fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
         lines.push((String::new(), Role::Text));
     }
     lines
+}
+
+/// The comment of the preset that the scene was loaded from: its source, and what to expect.
+fn comment(app: &App) -> String {
+    let entry = app.files.presets.iter().find(|entry| entry.name == app.base.name);
+    let text = entry.map_or_else(String::new, |entry| entry.comment.replace('\n', " "));
+    if text.is_empty() { text } else { format!("{}: {text}", app.base.name) }
 }
 
 /// Meaning, allowed values, range and source of the selected variable.

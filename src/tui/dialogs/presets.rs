@@ -52,7 +52,12 @@ impl List for Presets {
             return Outcome::Closes;
         } else {
             let path = format!("./{}.toml", clip(typed, 24));
-            app.report_progress(format!("no preset matches; a file is opened by its path: {path}"));
+            app.report_progress(figure(typed).map_or_else(
+                || format!("no preset matches; a file is opened by its path: {path}"),
+                |number| {
+                    format!("figure {number} has no data to compute: a drawing or a photograph")
+                },
+            ));
         }
         Outcome::Stays
     }
@@ -66,8 +71,7 @@ impl List for Presets {
         let (left, right) = split_left(body, NAMES);
         let (_, right) = split_left(right, 2);
         if rows.is_empty() {
-            let text = "none; Enter opens a file by its path";
-            canvas.put(body, (0, 0), text, Role::Dim);
+            canvas.put(body, (0, 0), &no_match(picker.filter.value()), Role::Dim);
         }
         picker.draw_rows(rows.len(), left, canvas, |canvas, row, index| {
             let entry = rows[index];
@@ -87,9 +91,36 @@ impl List for Presets {
     }
 }
 
-/// The presets that match, best first; all of them in their order when nothing is typed.
+/// The presets that match, best first; all of them in their order when nothing is typed. Where no name has the number of a figure, those
+/// whose comment has it.
 fn rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
-    ranked(presets.iter(), |entry| rank(typed, &[&entry.name, entry.origin], &entry.scene.title))
+    let found = ranked(presets.iter(), |it| rank(typed, &[&it.name, it.origin], &it.scene.title));
+    match figure(typed).filter(|_| found.is_empty()) {
+        Some(number) => presets.iter().filter(|entry| mentions(&entry.comment, number)).collect(),
+        None => found,
+    }
+}
+
+/// The number of a figure, `9.14` or `figure 9.14`.
+fn figure(typed: &str) -> Option<&str> {
+    let number = typed.trim().rsplit([' ', '-']).next()?;
+    let (chapter, figure) = number.split_once('.')?;
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|it| it.is_ascii_digit());
+    (is_number(chapter) && is_number(figure)).then_some(number)
+}
+
+/// Whether a comment speaks of a figure.
+fn mentions(comment: &str, number: &str) -> bool {
+    let words = comment.split(|letter: char| !(letter.is_ascii_digit() || letter == '.'));
+    comment.contains("Figure") && words.map(|word| word.trim_matches('.')).any(|it| it == number)
+}
+
+/// What to say where nothing matches.
+fn no_match(typed: &str) -> String {
+    match figure(typed) {
+        Some(number) => format!("figure {number} has no data to compute"),
+        None => "none; Enter opens a file by its path".to_owned(),
+    }
 }
 
 /// Title, changes, then comment and notes as far as there is room.
@@ -120,7 +151,12 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
         if !text.is_empty() {
             lines.push((String::new(), Role::Text));
         }
-        lines.extend(text.lines().flat_map(|line| wrapped(line, width, Role::Dim)));
+        // The lines of a file are not those of the screen.
+        let paragraphs = text.split("\n\n").map(|it| it.replace('\n', " "));
+        for (at, paragraph) in paragraphs.enumerate() {
+            lines.extend((at > 0).then(|| (String::new(), Role::Dim)));
+            lines.extend(wrapped(&paragraph, width, Role::Dim));
+        }
     }
     canvas.put_lines(area, 0, lines);
 }

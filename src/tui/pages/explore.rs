@@ -2,6 +2,7 @@
 
 pub(crate) mod cursor;
 pub(crate) mod curves;
+mod held;
 pub mod plan;
 pub mod setup;
 pub mod state;

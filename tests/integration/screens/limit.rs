@@ -11,12 +11,13 @@ use cmra::worker::ReportBody;
 use cmra::worker::studies::{LimitSearch, MassComparison, RequestVariant, StudyRequest, V50Study};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::Scene;
-use cmra_studies::study::compare::map::{Map, default_axis};
+use cmra_studies::study::compare::map::{Map, default_axes};
 use cmra_studies::study::compare::{Hardware, compare};
 use cmra_studies::study::context::{Context, never_cancel};
 use cmra_studies::study::limit::residual_law::ResidualLaw;
 use cmra_studies::study::limit::{Limit, LimitMethod, LimitReport, Shot};
 use cmra_studies::study::monte_carlo;
+use cmra_studies::study::sweep::Axis;
 use insta::assert_snapshot;
 
 /// The made-up limit, m/s.
@@ -57,7 +58,8 @@ pub(super) fn stop(bench: &mut Bench) {
 
 /// A map of few points.
 fn mapped(scene: &Arc<Scene>) -> Map {
-    let axes = ["v_i", "gamma"].map(|name| default_axis(scene, name, 13).unwrap());
+    let axes = default_axes(scene).unwrap();
+    let axes = axes.map(|it| Axis::new(it.symbol(), it.ends(), 13, it.spacing()).unwrap());
     let mut watch = never_cancel;
     Map::compute(scene, &axes, Hardware::default(), &mut Context::new(1, &mut watch)).unwrap()
 }
@@ -424,9 +426,9 @@ fn the_tab_and_the_commands_give_the_same_digits() {
 #[test]
 fn the_tab_has_the_answer_of_the_commands() {
     let rigid = [
-        "is perforated",
-        "stops it",
-        "open: within the band of the limit",
+        "m/s perforates: expected limit",
+        "m/s is stopped: expected limit",
+        "m/s is open: expected limit",
         "not measured",
         "not measured",
     ];

@@ -259,3 +259,39 @@ fn a_search_without_a_match_explains_how_to_open_a_file() {
     assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
     assert!(bench.app.has_dialog());
 }
+
+/// A reader types the number of a figure: it finds what the program has for it, or says that there is nothing to compute.
+#[test]
+fn figures_of_the_thesis_are_found_by_their_numbers() {
+    let all = cmra::files::preset::list(None).0.into_iter().map(|preset| PresetEntry {
+        name: preset.name,
+        origin: "bundled",
+        comment: preset.comment,
+        scene: preset.scene,
+        ..PresetEntry::default()
+    });
+    let all: Vec<PresetEntry> = all.collect();
+    for (typed, name) in [
+        ("9.14", "concept-cocked-cantilever"),
+        ("8.18", "yang-xi"),
+        ("8.6", "figure-8.6"),
+        ("8.7", "figure-8.6"),
+        ("8.10", "figure-8.10"),
+        ("figure 8.11", "figure-8.11"),
+        ("9.8", "figure-9.8"),
+    ] {
+        let mut bench = Bench::ascii(80, 24);
+        bench.app.files.presets.clone_from(&all);
+        bench.press("p");
+        bench.press(typed);
+        bench.press("<Enter>");
+        assert_eq!(bench.app.base.name, name, "{typed}: {}", bench.screen());
+    }
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.files.presets = all;
+    bench.press("p");
+    bench.press("8.16");
+    assert!(bench.screen().contains("figure 8.16 has no data to compute"), "{}", bench.screen());
+    bench.press("<Enter>");
+    assert!(bench.message().contains("a drawing or a photograph"), "{}", bench.message());
+}

@@ -85,7 +85,7 @@ fn a_click_on_a_map_loads_the_design_that_is_drawn_there() {
     bench.keys("<Enter>");
     assert!((bench.app.scene.mass_ratio() - 0.8).abs() < 1e-12);
     assert_eq!(bench.app.scene.mechanism.spring.coefficient.to_bits(), 0.0_f64.to_bits());
-    let hit = target(&bench.app, (axis + 1, 1 + 1)).unwrap();
+    let hit = target(&bench.app, (axis + 1, 1 + 2)).unwrap();
     assert_eq!(hit, Target::Cell(explore::RESULTS, (0, 10)));
     bench.send(Message::Click(hit));
     bench.keys("<Enter>");

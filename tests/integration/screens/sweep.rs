@@ -419,3 +419,22 @@ fn the_cursor_of_a_sweep_over_the_mass_of_the_plate_begins_at_the_scene() {
     // Half a step of the axis.
     assert!((mass_kg - bench.app.scene.plate_mass_kg()).abs() < 0.6e-3, "{message}");
 }
+
+/// The line above the chart says what is held, and where that differs from the caption; the family over n shows its edge.
+#[test]
+fn a_figure_says_what_it_holds_and_where_it_differs_from_its_caption() {
+    let mut bench = open("figure-9.8", 9, GlyphSet::Ascii, (120, 36));
+    bench.press("2");
+    answer(&mut bench);
+    let screen = bench.screen();
+    assert!(screen.contains("d 0  k 100 kN/m"), "{screen}");
+    assert!(screen.contains("b 0") && screen.contains("h 25.4 mm"), "{screen}");
+    assert!(!screen.contains("caption"), "{screen}");
+    let legend = "* n=0.1  o 0.2  + 0.25  x 0.3  # 0.5  % 1  @ 3";
+    assert!(screen.contains(legend), "{screen}");
+    let mut bench = open("figure-9.6", 9, GlyphSet::Ascii, (120, 36));
+    bench.press("2");
+    answer(&mut bench);
+    let screen = bench.screen();
+    assert!(screen.contains("k 1000 kN/m^n (caption: 100 kN/m^n, see ?)"), "{screen}");
+}

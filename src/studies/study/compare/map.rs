@@ -18,6 +18,8 @@ const PIECE: u64 = 16;
 const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
 /// Points along an axis, if none is given.
 pub const DEFAULT_COUNT: u64 = 41;
+/// A result that the plan of a map has: the map itself has none of a sweep.
+const OUTPUT: &str = "final_penetration_m";
 /// Relative width to which thicknesses are closed in, and the tolerance of the shots, at least: the efficiency is as good.
 const WIDTH: f64 = 1e-5;
 const TOLERANCE: f64 = 1e-6;
@@ -50,7 +52,7 @@ impl Map {
         let mut own = scene.clone();
         own.sweep = None;
         own.run.tolerance = larger(own.run.tolerance, TOLERANCE);
-        let plan = Plan::new(&own, axes.to_vec(), &["final_penetration_m"])?;
+        let plan = Plan::new(&own, axes.to_vec(), &[OUTPUT])?;
         let count = usize::try_from(plan.points()).unwrap_or(0);
         context.expect(count);
         let mut map = Self { cells: vec![None; count], plan };
@@ -173,10 +175,18 @@ fn line(own: u64, at: impl Fn(u64) -> Vec<(u64, f64)>) -> (u64, Vec<(u64, f64)>)
 }
 
 /// The axes of the usual map of a scene: impact velocity, and gamma or the input that gives the plate's size in its place; `None` where
-/// one of them has no such axis.
+/// one of them has no such axis. The plate's size begins at a greater value where a small plate is impossible.
 pub fn default_axes(scene: &Scene) -> Option<[Axis; 2]> {
     let axis = |name| default_axis(scene, name, DEFAULT_COUNT).ok();
-    Some([axis("v_i")?, axis(scene.plate.size.key())?])
+    let (across, up) = (axis("v_i")?, axis(scene.plate.size.key())?);
+    let own = up.get(scene)?;
+    let from = |least: f64| {
+        let ends = (least * own, up.ends().1);
+        Axis::new(up.symbol(), ends, DEFAULT_COUNT, up.spacing()).ok()
+    };
+    let raised = [0.2, 0.5, 1.0].into_iter().filter_map(from);
+    let axes = std::iter::once(up.clone()).chain(raised).map(|up| [across.clone(), up]);
+    axes.into_iter().find(|axes| Plan::new(scene, axes.to_vec(), &[OUTPUT]).is_ok())
 }
 
 /// The axis of a variable that is requested by its name alone: around the scene's own value at equal ratios, or over the range

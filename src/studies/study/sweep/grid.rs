@@ -23,6 +23,13 @@ pub const PIECE: u64 = 64;
 const COARSEST: usize = 16;
 /// Minimum number of points of an axis in the first pass.
 const COARSE_POINTS: usize = 6;
+/// An axis of fewer points has all of them in the first pass.
+const SHORT: usize = 12;
+
+/// The stride along an axis of so many points.
+fn along(count: usize, stride: usize) -> usize {
+    if count < SHORT { 1 } else { stride }
+}
 
 /// Checks that a plan has no more points than a grid can hold.
 pub fn fits(plan: &Plan) -> Result<(), SweepError> {
@@ -142,7 +149,8 @@ impl Grid {
     pub fn cell(&self, x: usize, y: usize, output: usize) -> Cell {
         let mut stride = 1;
         loop {
-            let (x, y) = (x - x % stride, y - y % stride);
+            let (x, y) =
+                (x - x % along(self.counts.0, stride), y - y % along(self.counts.1, stride));
             if let Some(outcome) = self.outcome(x, y) {
                 let shown = outcome.counts(self.plan.outputs()[output]);
                 return match self.value(x, y, output).filter(|_| shown) {
@@ -214,11 +222,11 @@ impl Grid {
 
     /// Returns the points of a pass that are not computed yet; the first axis varies slowest.
     fn pass(&self, stride: usize) -> Vec<u64> {
-        let (along_x, along_y) = self.counts;
+        let (across, up) = self.counts;
         let mut points = Vec::new();
-        for x in (0..along_x).step_by(stride) {
-            for y in (0..along_y).step_by(stride) {
-                let index = x * along_y + y;
+        for x in (0..across).step_by(along(across, stride)) {
+            for y in (0..up).step_by(along(up, stride)) {
+                let index = x * up + y;
                 if self.outcomes[index].is_none() {
                     points.push(index as u64);
                 }

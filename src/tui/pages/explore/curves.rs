@@ -2,6 +2,7 @@
 //! no value is a letter on the axis, never a number.
 
 use crate::tui::chart::{self, Chart, Curve, Emphasis, MARKERS};
+use crate::tui::pages::explore::held;
 use crate::tui::pages::explore::plan::no_value;
 use crate::tui::pages::explore::state::{self, RESULTS, SETUP, nearest};
 use crate::tui::pages::page::draw_setup;
@@ -14,12 +15,17 @@ use cmra_studies::report::map::Map;
 use cmra_studies::report::svg::Picture;
 use cmra_studies::study::sweep::grid::{self, Grid};
 
+/// Least rows of a picture with the line of what is held above it.
+const HELD_FROM: u16 = 10;
+
 /// The setup, and beside it the curves or the map.
 pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (setup, area) = split_left(body, setup_width(body.width));
     draw_setup(app, &app.setup_form(), SETUP, setup, canvas);
     canvas.pane(area, RESULTS);
     let Some(grid) = app.pages.explore.found() else { return waiting(app, area, canvas) };
+    let (line, area) = split_top(area, u16::from(area.height >= HELD_FROM));
+    held::draw(app, grid, line, canvas);
     let (output, column) = app.shown_output(grid);
     let old = if is_old(app) { ", of another scene" } else { "" };
     let title = column.title() + old;
@@ -73,11 +79,8 @@ fn curves(
     let y = chart::Axis::fitted("", column.unit(), values)?;
     let (x, selected) = app.cursor_point(grid);
     let curves = lines.iter().enumerate().map(|(index, points)| {
-        let name = axes.get(1).map_or_else(String::new, |axis| {
-            // The first of the family also says what is repeated.
-            let value = significant(axis.value(index as u64), 3);
-            if index == 0 { format!("{}={value}", axis.symbol()) } else { value }
-        });
+        let name = axes.get(1);
+        let name = name.map_or_else(String::new, |axis| held::legend(app, axis, index as u64));
         let emphasis = chart::emphasis(is_old(app), index == selected);
         let marker = MARKERS[index % MARKERS.len()];
         Curve::new(marker, name, points).colour(index).emphasis(emphasis)

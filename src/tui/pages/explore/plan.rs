@@ -3,13 +3,35 @@
 use crate::tui::pages::explore::state::{CURVES, ChartKind, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::preset::ReferencePreset;
-use cmra_engine::model::scene::ContactModel;
+use cmra_engine::model::scene::{ContactModel, SweepAxis};
 use cmra_studies::study::sweep::grid::{self, GRID_COUNTS, Grid};
-use cmra_studies::study::sweep::{Axis, Plan, SweepError};
+use cmra_studies::study::sweep::{Axis, Plan, Spacing, SweepError};
 
 /// Whether a preset is a figure of the thesis, drawn with the corrected physics.
 pub(crate) fn is_corrected_figure(base: &ReferencePreset) -> bool {
-    base.name.starts_with("figure-") && base.scene.contact.model == ContactModel::Hydrodynamic
+    base.name.starts_with("figure-9.") && base.scene.contact.model == ContactModel::Hydrodynamic
+}
+
+/// Exponents of a spring between which its curves differ: at the thesis's stiffness the depth falls most steeply near 0.22.
+const EXPONENTS: [f64; 5] = [0.2, 0.25, 0.3, 0.5, 1.0];
+
+/// The values of a second axis that curves are drawn for: those of a list, else a few over the range.
+fn family(second: &Axis) -> Result<Axis, SweepError> {
+    let (name, (from, to)) = (second.symbol(), second.ends());
+    let (low, high) = (from.min(to), from.max(to));
+    let within = EXPONENTS.into_iter().filter(|value| (low..high).contains(value) && *value > low);
+    let mut values: Vec<f64> = std::iter::once(low).chain(within).chain([high]).collect();
+    if second.spacing() == Spacing::Listed {
+        return Ok(second.clone());
+    }
+    if name != "n" || values.len() < usize::try_from(CURVES).unwrap_or(usize::MAX) {
+        return Axis::new(name, (from, to), CURVES, second.spacing());
+    }
+    if from > to {
+        values.reverse();
+    }
+    let listed = SweepAxis { values, ..second.to_sweep_axis() };
+    Axis::from_sweep_axis(&listed, &GRID_COUNTS)
 }
 
 impl App {
@@ -38,9 +60,7 @@ impl App {
         let mut axes = vec![axis(0)?];
         match self.picture() {
             ChartKind::Line if has_family(scene) => {
-                let second = axis(1)?;
-                let (name, ends) = (second.symbol(), second.ends());
-                axes.push(Axis::new(name, ends, CURVES, second.spacing())?);
+                axes.push(family(&axis(1)?)?);
             }
             ChartKind::Line => {}
             ChartKind::Surface => axes.push(axis(1)?),

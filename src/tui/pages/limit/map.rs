@@ -63,7 +63,7 @@ fn values_at(map: &EfficiencyMap, (x, y): (usize, usize)) -> [(&Axis, f64); 2] {
 
 /// Whether a scene has a map at all.
 pub(super) fn has_map(scene: &Scene) -> bool {
-    !scene.is_stack() && default_axes(scene).is_some()
+    !scene.is_stack() && scene.is_sprung() && default_axes(scene).is_some()
 }
 
 /// Move the cursor by points; the scene stays as it is.
@@ -124,6 +124,7 @@ pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
                 Some("no point has a mass efficiency")
             }
             _ if app.scene.is_stack() => Some("a stack is compared with nothing"),
+            _ if !app.scene.is_sprung() => Some("the mount is rigid: there is no moving to pay"),
             _ if !has_map(&app.scene) => Some("no map over v_i and the plate's size"),
             _ if app.jobs.running::<MassComparison>().is_some() => {
                 Some("computed after the comparison")

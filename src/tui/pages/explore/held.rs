@@ -1,0 +1,82 @@
+//! The line above the chart: what is held fixed, and where that differs from the caption of the figure.
+
+use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::editor::{index_of, shown_in};
+use cmra_engine::model::units;
+use cmra_engine::model::variables::VARIABLES;
+use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::sweep::grid::Grid;
+use cmra_studies::study::thesis::caption;
+
+/// The variables of the line, by symbol: those of the figures of chapter 9, then those that a reader asks for next.
+const NAMED: [&str; 8] = ["gamma", "d", "k", "n", "b", "theta", "h", "v_i"];
+/// Columns between two variables.
+const GAP: usize = 2;
+
+/// The variables that are held, as many as have room; one that differs from the caption has the caption's value behind it.
+pub(super) fn held(app: &App, grid: &Grid, room: usize) -> Vec<TextLine> {
+    let axes = grid.plan().axes();
+    let captions = caption(&app.base.name);
+    let mut parts: Vec<TextLine> = Vec::new();
+    for symbol in NAMED {
+        let variable = &VARIABLES[index_of(symbol)];
+        let is_axis = axes.iter().any(|axis| axis.variable().key == variable.key);
+        let is_none = variable.number().is_none_or(|it| (it.get)(&app.scene).is_none());
+        let is_zero = |scene: &Scene| {
+            variable.number().and_then(|it| (it.get)(scene)).is_some_and(|value| value == 0.0)
+        };
+        if is_axis || is_none || symbol == "theta" && is_zero(&app.scene) {
+            continue;
+        }
+        let unit = app.unit_of(symbol);
+        let show = |scene: &Scene| {
+            // A zero is one in every unit.
+            let unit = if is_zero(scene) { "" } else { unit };
+            shown_in(variable, scene, unit, 4)
+        };
+        let own = format!("{symbol} {}", show(&app.scene));
+        let printed = captions.iter().find(|it| it.0 == symbol).and_then(|(_, value)| {
+            let mut scene = Scene::clone(&app.scene);
+            (variable.number()?.set)(&mut scene, Some(*value));
+            (scene != *app.scene).then(|| show(&scene))
+        });
+        parts.push(match printed {
+            Some(printed) => (format!("{own} (caption: {printed}, see ?)"), Role::Warning),
+            None => (own, Role::Dim),
+        });
+    }
+    // What differs comes first.
+    parts.sort_by_key(|part| part.1 != Role::Warning);
+    let mut left = room;
+    parts.retain(|(text, _)| {
+        let fits = usize::from(columns(text)) <= left;
+        if fits {
+            left = left.saturating_sub(usize::from(columns(text)) + GAP);
+        }
+        fits
+    });
+    parts
+}
+
+/// Draws the line.
+pub(super) fn draw(app: &App, grid: &Grid, area: Rect, canvas: &mut Canvas<'_>) {
+    let mut column = 1;
+    for (text, role) in held(app, grid, usize::from(area.width.saturating_sub(2))) {
+        column = canvas.put(area, (column, 0), &text, role) + 2;
+    }
+}
+
+/// The name of an axis value in a legend, in the unit that fields show.
+pub(super) fn legend(app: &App, axis: &Axis, at: u64) -> String {
+    let unit = app.unit_of(axis.symbol());
+    let number = axis.variable().number();
+    let shown = |value: f64| {
+        let value = number.and_then(|it| units::in_unit(value, unit, it.quantity)).unwrap_or(value);
+        significant(value, 3)
+    };
+    // The first of the family says what is repeated, the last in which unit.
+    let name = if at == 0 { format!("{}=", axis.symbol()) } else { String::new() };
+    let is_last = at + 1 == axis.count() && !unit.is_empty();
+    let unit = if is_last { format!(" {unit}") } else { String::new() };
+    format!("{name}{}{unit}", shown(axis.value(at)))
+}
