@@ -36,7 +36,7 @@ pub fn rows(rows: &[Row]) -> Table<'_, &Row> {
     let outputs = (0..OUTPUTS.len()).fold(table, |table, at| {
         let (name, key) = OUTPUTS[at];
         let (title, unit) =
-            find(name).map_or((name.to_owned(), ""), |it| (it.heading(), it.unit()));
+            find(name).map_or_else(|| (name.to_owned(), ""), |it| (it.heading(), it.unit()));
         table.with(key, title, unit, move |row| measured(row).outputs[at]).with(
             name,
             "computed",

@@ -154,8 +154,11 @@ impl MeasuredQuantity {
         match self {
             Self::Limit | Self::RepeatLimit(_) => "m/s",
             Self::Depth | Self::Bulge => "m",
-            Self::Ratio | Self::ProjectileShare | Self::PlateShare => "",
-            Self::MomentumShare | Self::Bottoms => "",
+            Self::Ratio
+            | Self::ProjectileShare
+            | Self::PlateShare
+            | Self::MomentumShare
+            | Self::Bottoms => "",
             Self::Output(name) => find(name).map_or("", Quantity::unit),
             Self::Strength => "Pa",
         }
