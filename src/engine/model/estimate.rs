@@ -31,7 +31,7 @@ type Estimated = (&'static str, Scale, fn(&Run) -> Option<f64>);
 
 /// All of them.
 #[rustfmt::skip]
-const ESTIMATED: [Estimated; 17] = [
+const ESTIMATED: [Estimated; 16] = [
     ("first_arrest_penetration_m", Scale::Own, |run| Some(run.first_arrest?.penetration_m)),
     ("first_arrest_time_s", Scale::Own, |run| Some(run.first_arrest?.t_s)),
     ("first_arrest_plate_displacement_m", Scale::CockingDistance, |run| Some(run.first_arrest?.plate_displacement_m)),
@@ -45,7 +45,6 @@ const ESTIMATED: [Estimated; 17] = [
     ("separation_time_s", Scale::Own, |run| Some(run.separation?.t_s)),
     ("separation_velocity_m_s", Scale::ImpactVelocity, |run| Some(run.separation?.velocity_m_s)),
     ("interface_demand_ratio", Scale::Own, |run| run.interface_demand_ratio),
-    ("interface_tension_ratio", Scale::Own, |run| run.interface_tension_ratio),
     // On a rigid mount it is the contact force along the normal.
     ("peak_mount_force_n", Scale::Own, |run| run.mechanism.peak_mount_n.or(run.peak_contact_force_n)),
     ("stored_energy_j", Scale::Own, |run| run.mechanism.stored_j),

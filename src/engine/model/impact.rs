@@ -34,8 +34,6 @@ mod weight;
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
 const STEP_TOLERANCE_FACTOR: f64 = 1e-2;
 const MIN_STEP_TOLERANCE: f64 = 1e-13;
-/// Step tolerance of the second computation relative to the run's: its own error is a hundredth of the difference between both.
-const TIGHTER: f64 = 1e-2;
 
 /// Greatest ratio of the work of a run and of its second computation together to that of a run alone. A second computation takes about 1.5
 /// times as much as the first, so that only the errors of the longest runs stay unknown.
@@ -64,13 +62,12 @@ fn local_tolerance(scene: &Scene) -> f64 {
 /// Both take at most this much work together. If it does not suffice, the errors are unknown.
 fn with_estimate(mut run: Run, work_max: usize, observer: Observer<'_>) -> Run {
     let scene = Arc::clone(&run.scene);
-    let tolerance = local_tolerance(&scene);
     let exact = closed_form::results(&scene).map(|exact| (exact, EstimateBasis::ClosedForm));
     let (second, basis) = exact.unwrap_or_else(|| {
         let shown = &mut |look: &RunSnapshot<'_>| {
             observer(&RunSnapshot { so_far: &|| Some(run.clone()), ..*look })
         };
-        let stepping = IntegrationMethod::Second(TIGHTER * tolerance);
+        let stepping = IntegrationMethod::Second(local_tolerance(&scene));
         let work_max = Some(work_max.saturating_sub(run.cost.work()));
         let settings = Settings { work_max, ..Settings::BARE };
         (run_by(&scene, settings, stepping, shown), EstimateBasis::SecondComputation)

@@ -151,6 +151,11 @@ impl Mechanism {
         self.spring.is_absent() && self.damper.is_absent()
     }
 
+    /// Whether spring and damper are analytic, through zero as well.
+    pub fn is_analytic(&self) -> bool {
+        self.spring.is_analytic() && self.damper.is_smooth_at_zero()
+    }
+
     /// The elastic stop, if there is one.
     pub fn elastic_stop(&self) -> Option<Stop> {
         self.stop.filter(|stop| stop.kind == StopKind::Elastic)

@@ -219,11 +219,6 @@ impl ImpactParameters {
         self.length_m / self.velocity_m_s
     }
 
-    /// Whether spring and damper are analytic, through zero as well.
-    pub(super) fn is_analytic(&self) -> bool {
-        self.spring.is_analytic() && self.damper.is_smooth_at_zero()
-    }
-
     /// Whether the plate begins at rest, without force, where one of its laws is infinitely steep.
     pub(super) fn starts_steep(&self) -> bool {
         let is_at_zero = !self.still

@@ -4,13 +4,23 @@ use std::sync::Arc;
 
 use crate::model::impact::equations::ImpactParameters;
 use crate::model::impact::run::run;
+use crate::model::mechanism::Mechanism;
 use crate::model::run::{Observer, Run, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::collocation::{ELEVEN, RADAU_IIA_17, SEVEN, THREE};
 use crate::numerics::explicit::{Dop853, Rk4};
+use crate::numerics::larger;
 
 /// Relative tolerance of event location for methods with fixed steps.
 const STEPPED: f64 = 1e-12;
+
+/// Tolerance of the steps of the second computation over that of the first: its own error is a hundredth of their difference. Towards the
+/// zeros of laws that are not analytic there both take equal steps, of which its two stages more leave less than that; a tighter tolerance
+/// would only add steps.
+const TIGHTER: f64 = 1e-2;
+const TIGHTER_AT_ZEROS: f64 = 1e-1;
+/// Least tolerance of its steps: below it there is only rounding.
+const LEAST_JUDGING: f64 = 1e-14;
 
 /// A method that the loop can step by.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,8 +30,8 @@ pub enum IntegrationMethod {
     Collocation(f64),
     /// Collocation; the plate is integrated to its turning point even if its energy gives the maximum displacement.
     CollocationInFull(f64),
-    /// Collocation with two more stages, for the error estimate. Events force both computations to the same steps, on which a member with
-    /// equally many stages would have the same errors.
+    /// Collocation with two more stages, for the error estimate of one to this tolerance; its own is tighter. Events force both computations to
+    /// the same steps, on which a member with equally many stages would have the same errors.
     Second(f64),
     /// Radau IIA with three stages, of order five, to a tolerance.
     Radau5(f64),
@@ -41,19 +51,22 @@ pub(super) fn run_by(
     observer: Observer<'_>,
 ) -> Run {
     let setup = |tolerance: f64| ImpactParameters::from_scene(scene, tolerance).by(stepping);
+    let is_analytic = Mechanism::from_scene(scene).is_analytic();
     match stepping {
         IntegrationMethod::Collocation(tolerance)
         | IntegrationMethod::CollocationInFull(tolerance) => {
             let setup = setup(tolerance);
-            if setup.is_analytic() {
+            if is_analytic {
                 run(scene, &setup, &SEVEN.to(tolerance), settings, observer)
             } else {
                 run(scene, &setup, &RADAU_IIA_17.to(tolerance), settings, observer)
             }
         }
-        IntegrationMethod::Second(tolerance) => {
+        IntegrationMethod::Second(judged) => {
+            let part = if is_analytic { TIGHTER } else { TIGHTER_AT_ZEROS };
+            let tolerance = larger(part * judged, LEAST_JUDGING);
             let setup = setup(tolerance);
-            if setup.is_analytic() {
+            if is_analytic {
                 run(scene, &setup, &RADAU_IIA_17.judging(tolerance), settings, observer)
             } else {
                 run(scene, &setup, &ELEVEN.judging(tolerance), settings, observer)

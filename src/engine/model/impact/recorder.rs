@@ -117,12 +117,17 @@ impl Recorder {
         self.draw(equations, path);
     }
 
-    /// Notes the displacements on a step; of a plate that a spring holds, those at which the forces balance.
+    /// Notes the displacements on a step. A free plate turns at an event; one that a spring holds is where the forces balance, and farthest where
+    /// the contact's force is greatest.
     fn note_displacements(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
-        let is_held = equations.mode.hold == PlateConstraint::Spring;
+        if equations.mode.hold == PlateConstraint::Spring {
+            let greatest_m =
+                path.greatest(self.farthest_m, |state| equations.quasi_static_state(state).0);
+            self.note_displacement(greatest_m, path.looks[0].t_s);
+            return;
+        }
         for state in &path.looks {
-            let held_m = || equations.quasi_static_state(state).0;
-            let x_m = if is_held { held_m() } else { equations.displacement_m(state.x_m) };
+            let x_m = equations.displacement_m(state.x_m);
             // The step that ends at a rigid stop may end a rounding beyond it.
             self.note_displacement(smaller(x_m, equations.setup.rigid_stop_m()), state.t_s);
         }
