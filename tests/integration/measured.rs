@@ -88,7 +88,7 @@ fn under_a_hemisphere_only_the_lowest_rule_stops_a_shot() {
     }
 }
 
-/// pi Y h² of 12 mm and 276 MPa is 124.9 kN: one line says so where the peak of the contact's force is above it, and only there.
+/// pi Y h² of 12 mm and 276e6 Pa is 124.9 kN: one line says so where the peak of the contact's force is above it, and only there.
 #[test]
 fn valid_the_collapse_load_of_the_plate() {
     let load_n = std::f64::consts::PI * 276e6 * 0.012 * 0.012;
