@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::files::error::FileError;
 use cmra_engine::model::variables::VariableError;
-use cmra_studies::study::sweep::SweepError;
+use cmra_studies::study::error::{QuantityError, StudyError};
 
 /// Error of a command.
 #[derive(Debug, Error)]
@@ -21,6 +21,9 @@ pub enum CliError {
     /// The command line, or the scene as a whole, is invalid.
     #[error("{0}")]
     Option(String),
+    /// The study, or the scene, is refused.
+    #[error(transparent)]
+    Study(#[from] StudyError),
     /// Standard output cannot be written.
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
@@ -41,13 +44,13 @@ impl From<FileError> for CliError {
 
 impl From<VariableError> for CliError {
     fn from(error: VariableError) -> Self {
-        Self::Option(error.to_string())
+        Self::Study(error.into())
     }
 }
 
-impl From<SweepError> for CliError {
-    fn from(error: SweepError) -> Self {
-        Self::Option(error.to_string())
+impl From<QuantityError> for CliError {
+    fn from(error: QuantityError) -> Self {
+        Self::Study(error.into())
     }
 }
 
@@ -62,7 +65,7 @@ impl CliError {
             | Self::File(FileError::Write { .. } | FileError::Kept { .. } | FileError::NoHome) => {
                 ExitCode::FAILURE
             }
-            Self::File(_) | Self::Exists(_) | Self::Option(_) => ExitCode::from(2),
+            Self::File(_) | Self::Exists(_) | Self::Option(_) | Self::Study(_) => ExitCode::from(2),
         }
     }
 

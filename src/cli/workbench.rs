@@ -12,7 +12,7 @@ use crate::cli::run::{compute, print_readable};
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, Glyphs, commands, output, scene};
 use crate::files::bundled;
-use crate::files::error::{FileError, did_you_mean};
+use crate::files::error::{FileError, did_you_mean_the};
 use crate::files::preset::Preset;
 use crate::files::read_traces::traces;
 use crate::tui;
@@ -57,9 +57,8 @@ fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     scene::named(name).map_err(|error| {
         let commands = commands::whole();
         let names: Vec<&str> = commands.get_subcommands().map(Command::get_name).collect();
-        match (error, did_you_mean(&name.to_string_lossy(), &names)) {
-            (CliError::File(FileError::UnknownScene { name, .. }), Some(nearest)) => {
-                let hint = nearest.replace("you mean", "you mean the subcommand");
+        match (error, did_you_mean_the("the subcommand ", &name.to_string_lossy(), &names)) {
+            (CliError::File(FileError::UnknownScene { name, .. }), Some(hint)) => {
                 CliError::File(FileError::UnknownScene { name, hint })
             }
             (error, _) => error,

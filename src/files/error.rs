@@ -152,6 +152,11 @@ impl fmt::Display for SceneErrors {
 
 /// Returns `did you mean ...?` with the candidates closest to `name`; `None` if no candidate is close.
 pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
+    did_you_mean_the("", name, candidates)
+}
+
+/// As [`did_you_mean`], with what the candidates are before them.
+pub fn did_you_mean_the(what: &str, name: &str, candidates: &[&str]) -> Option<String> {
     let lower = name.to_lowercase();
     let distance = |candidate: &str| {
         let other = candidate.to_lowercase();
@@ -159,7 +164,7 @@ pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
         let is_begun = lower.len() >= 3 && other.starts_with(&lower);
         if is_begun { 0 } else { strsim::osa_distance(&lower, &other) }
     };
-    variables::close(name, candidates.iter().map(|it| (distance(it), *it)).collect())
+    variables::close(what, name, candidates.iter().map(|it| (distance(it), *it)).collect())
 }
 
 /// Returns the hint of [`did_you_mean`]; if no candidate is close, lists all after a text: `the keys here are a, b`.

@@ -128,9 +128,9 @@ impl Reader<'_> {
             && let Err(error) = variables::validate(scene)
         {
             // Each value is valid; the remaining rules concern several values.
-            let text = error.to_string();
+            let keys = error.keys();
             let named = VARIABLES.iter().map(|variable| variable.key).chain([read_table::KEY]);
-            let key = named.filter(|key| text.contains(key)).find_map(|key| find(document, key));
+            let key = named.filter(|key| keys.contains(key)).find_map(|key| find(document, key));
             let span = key.map_or(0..0, Spanned::span);
             self.problem(span, error.to_string());
         }
@@ -319,13 +319,10 @@ fn unknown(path: &str, is_table: bool) -> String {
         let tables = VARIABLES.iter().filter_map(|variable| Some(variable.key.rsplit_once('.')?.0));
         nearest(&path, &once_each(tables.chain(["sweep"])), "the tables are")
     } else {
-        let near = variables::nearest(&path);
-        if near.starts_with("did you mean") {
-            near
-        } else {
+        variables::did_you_mean(&path).unwrap_or_else(|| {
             let parent = path.rsplit_once('.').map_or("", |(parent, _)| parent);
             format!("the keys here are {}", keys_below(parent))
-        }
+        })
     };
     format!("`{path}` is not a {what} of a scene: {hint}")
 }

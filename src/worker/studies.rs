@@ -16,7 +16,7 @@ use cmra_studies::study::context::{Context, Progress, Threads};
 use cmra_studies::study::search::{front, seek};
 use cmra_studies::study::stability::map::{self, Map as StabilityCells, StabilityMapRequest};
 use cmra_studies::study::sweep::grid::{self, Grid};
-use cmra_studies::study::sweep::{Plan, SweepError};
+use cmra_studies::study::sweep::{Plan, StudyError};
 use cmra_studies::study::{limit, monte_carlo, sensitivity, stability, thesis};
 
 /// Defines an enum with one variant per type, and a trait that converts between the enum and these types.
@@ -266,7 +266,7 @@ macro_rules! search_studies {
                 scene: &Scene,
                 threads: impl Into<Threads>,
                 tell: &dyn Fn(Progress, &dyn Fn() -> Option<StudyResult>) -> ControlFlow<()>,
-            ) -> Result<SearchAnswer, SweepError> {
+            ) -> Result<SearchAnswer, StudyError> {
                 match self {
                     $(Self::$kind(request) => {
                         let answer = |report| SearchAnswer::$kind(Box::new(report));

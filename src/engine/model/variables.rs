@@ -6,8 +6,6 @@
 
 use std::sync::LazyLock;
 
-use thiserror::Error;
-
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::kinds::spring_rows;
 use crate::model::run::Warning;
@@ -20,12 +18,14 @@ use crate::model::units::{self, Bare, Dimension};
 use part::placed;
 use visible::{has_second, is_hydrodynamic, is_listing, may_stop};
 
+mod error;
 mod names;
 pub(in crate::model) mod part;
 mod rules;
 pub(in crate::model) mod visible;
 
-pub use names::{close, find, nearest};
+pub use error::VariableError;
+pub use names::{close, did_you_mean, find, nearest};
 pub use rules::{require_hydrodynamic, require_plain, require_single};
 pub use visible::{
     exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size, sizes_plate,
@@ -218,11 +218,6 @@ pub enum Value {
     Switch(bool),
 }
 
-/// Why a variable cannot be set, or values make no sense together, with the cure.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[error("{0}")]
-pub struct VariableError(pub(in crate::model) String);
-
 impl Variable {
     /// Read the value from a scene.
     pub fn value(&self, scene: &Scene) -> Value {
@@ -260,9 +255,9 @@ impl Variable {
                 }
                 let old = (number.get)(scene).unwrap_or(0.0);
                 let value = units::parse_relative(text, old, number.quantity, bare);
-                value.map(Value::Number).map_err(|problem| {
-                    VariableError(format!("{} ({}): {problem}", self.symbol, self.key))
-                })
+                let Self { symbol, key, .. } = *self;
+                let refuse = |problem| VariableError::Unreadable { symbol, key, problem };
+                value.map(Value::Number).map_err(refuse)
             }
             Kind::Choice { words, .. } => {
                 let found = words.iter().find(|it| **it == word).map(|it| Value::Word(it));
@@ -348,8 +343,9 @@ impl Variable {
     }
 
     fn not_a_choice(&self, text: &str) -> VariableError {
-        let Self { symbol, key, .. } = self;
-        VariableError(format!("{symbol} ({key}) = `{text}` is not one of {}", self.allowed()))
+        let Self { symbol, key, .. } = *self;
+        let (value, allowed) = (text.to_owned(), self.allowed());
+        VariableError::NotAChoice { symbol, key, value, allowed }
     }
 
     /// Refuses a number that makes no physical sense by itself.
@@ -376,11 +372,9 @@ impl Variable {
         let is_tiny = *allowed == Allowed::Positive && value > 0.0;
         let rule = if is_tiny { Allowed::From(LEAST) } else { *allowed };
         let (value, allowed) = (format!("{written} {}", quantity.unit()), rule.describe(*quantity));
-        let Self { symbol, key, meaning, .. } = self;
-        Err(VariableError(format!(
-            "{symbol} ({key}) = {} is impossible: {meaning} must be {allowed}; {cure}",
-            value.trim_end()
-        )))
+        let value = value.trim_end().to_owned();
+        let Self { symbol, key, meaning, .. } = *self;
+        Err(VariableError::Impossible { symbol, key, value, meaning, allowed, cure })
     }
 }
 

@@ -10,7 +10,7 @@ use crate::study::option;
 use crate::study::outcome::PointOutcome;
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::default_axes::{or_usual, thesis_ends};
-use crate::study::sweep::{Axis, Plan, Point, Spacing, SweepError};
+use crate::study::sweep::{Axis, Plan, Point, Spacing, StudyError};
 use crate::study::validity;
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::run::Warning;
@@ -233,12 +233,12 @@ pub fn default_axes(scene: &Scene) -> Vec<Axis> {
 /// Computes the effects, with the checks at the ends of the ranges.
 ///
 /// # Errors
-/// A [`SweepError`] when variables or result are bad: then nothing has run.
+/// A [`StudyError`] when variables or result are bad: then nothing has run.
 pub fn run(
     scene: &Scene,
     request: &Request,
     context: &mut Context<'_, SensitivityReport>,
-) -> Result<SensitivityReport, SweepError> {
+) -> Result<SensitivityReport, StudyError> {
     let mut report = compute(scene, request, context)?;
     let axes: Vec<Axis> = report.effects.iter().map(|effect| effect.axis.clone()).collect();
     if !context.is_stopped() {
@@ -255,16 +255,14 @@ pub fn compute(
     scene: &Scene,
     request: &Request,
     context: &mut Context<'_, SensitivityReport>,
-) -> Result<SensitivityReport, SweepError> {
+) -> Result<SensitivityReport, StudyError> {
     let axes = or_usual(&request.over, || Ok(default_axes(scene)))?;
     let output = request.output.map_or_else(|| named(OUTPUT), Ok)?;
     output.check_exists(scene)?;
     for (at, axis) in axes.iter().enumerate() {
         if axes[..at].iter().any(|other| other.symbol() == axis.symbol()) {
-            return Err(SweepError(format!(
-                "axis {}: it is given twice; give each variable one range",
-                axis.symbol()
-            )));
+            let problem = "it is given twice; give each variable one range";
+            return Err(StudyError::axis(axis.symbol(), problem));
         }
     }
     let plan = |axis: &Axis| Plan::for_designs(scene, vec![axis.clone()], &[output.name]);

@@ -14,7 +14,7 @@ pub(in crate::study) mod kernel;
 
 use std::sync::Arc;
 
-pub use crate::study::error::SweepError;
+pub use crate::study::error::StudyError;
 pub use crate::study::outcome::{Failure, PointOutcome};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
@@ -52,10 +52,10 @@ impl Shard {
     /// Parses `I/N`.
     ///
     /// # Errors
-    /// [`SweepError`] unless 1 <= I <= N.
-    pub fn parse(text: &str) -> Result<Self, SweepError> {
+    /// [`StudyError`] unless 1 <= I <= N.
+    pub fn parse(text: &str) -> Result<Self, StudyError> {
         let refuse = || {
-            SweepError(format!(
+            StudyError::Points(format!(
                 "shard {text}: write I/N with 1 <= I <= N, for example 2/8 for the second of eight parts"
             ))
         };
@@ -96,14 +96,14 @@ impl Plan {
     /// Creates a sweep over every combination of the values of the axes; the last axis varies fastest. The outputs are names of quantities.
     ///
     /// # Errors
-    /// [`SweepError`] if an argument is invalid.
+    /// [`StudyError`] if an argument is invalid.
     pub fn new(
         scene: &Scene,
         axes: Vec<Axis>,
         outputs: &[impl AsRef<str>],
-    ) -> Result<Self, SweepError> {
+    ) -> Result<Self, StudyError> {
         if axes.len() > AXES_MAX {
-            return Err(SweepError::too_many_axes(axes.len(), AXES_MAX));
+            return Err(StudyError::too_many_axes(axes.len(), AXES_MAX));
         }
         let points = points(&axes)?;
         Ok(Self { points, ..Self::for_designs(scene, axes, outputs)? })
@@ -114,24 +114,24 @@ impl Plan {
         scene: &Scene,
         axes: Vec<Axis>,
         outputs: &[impl AsRef<str>],
-    ) -> Result<Self, SweepError> {
+    ) -> Result<Self, StudyError> {
         if axes.is_empty() {
-            return Err(SweepError::no_axis());
+            return Err(StudyError::no_axis());
         }
         for (index, axis) in axes.iter().enumerate() {
             let excludes =
                 |it: &&Axis| variables::exclude_each_other(it.variable(), axis.variable());
             let symbol = axis.symbol();
-            let text = match axes[..index].iter().find(excludes).map(Axis::symbol) {
+            let problem = match axes[..index].iter().find(excludes).map(Axis::symbol) {
                 None => continue,
                 Some(other) if other == symbol => {
-                    format!("axis {symbol}: it is swept twice; give each variable one axis")
+                    "it is swept twice; give each variable one axis".to_owned()
                 }
                 Some(other) => format!(
-                    "axis {symbol}: {other} is an axis too, and both set the plate's size; omit one of them"
+                    "{other} is an axis too, and both set the plate's size; omit one of them"
                 ),
             };
-            return Err(SweepError(text));
+            return Err(StudyError::axis(symbol, problem));
         }
         one_size(scene, &axes)?;
         let outputs = outputs.iter().map(|name| named(name.as_ref())).collect::<Result<_, _>>()?;
@@ -156,8 +156,8 @@ impl Plan {
     }
 
     /// Creates the sweep that a scene contains.
-    pub fn from_scene(scene: &Scene) -> Result<Self, SweepError> {
-        let sweep = scene.sweep.as_ref().ok_or_else(SweepError::no_axis)?;
+    pub fn from_scene(scene: &Scene) -> Result<Self, StudyError> {
+        let sweep = scene.sweep.as_ref().ok_or_else(StudyError::no_axis)?;
         Self::new(scene, Axis::all_of(sweep)?, &sweep.outputs)
     }
 
@@ -217,7 +217,7 @@ impl Plan {
     }
 
     /// Checks the rules between variables at every corner of the box of axes. They are linear: valid corners imply a valid interior.
-    fn check_corners(&self) -> Result<(), SweepError> {
+    fn check_corners(&self) -> Result<(), StudyError> {
         // With more axes there are only listed points, each of which is checked.
         for corner in 0..1u32 << self.axes.len().min(AXES_MAX) {
             let mut scene = self.base.clone();
@@ -230,7 +230,9 @@ impl Plan {
             }
             variables::validate(&scene).map_err(|source| {
                 let place = place.join(" ");
-                SweepError(format!("the sweep reaches an impossible scene ({place}): {source}"))
+                StudyError::Points(format!(
+                    "the sweep reaches an impossible scene ({place}): {source}"
+                ))
             })?;
         }
         Ok(())
@@ -238,24 +240,24 @@ impl Plan {
 }
 
 /// Rejects an axis over the size of the plate if the scene sets it by another variable, which the axis would silently replace.
-fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), SweepError> {
+fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), StudyError> {
     let overrules = |axis: &&Axis| variables::overrules_size(axis.variable(), scene);
     let Some(axis) = axes.iter().find(overrules).map(Axis::symbol) else { return Ok(()) };
     let Ok(given) = variables::find(scene.plate.size.key()) else { return Ok(()) };
     let (symbol, value) = (given.symbol, given.show(scene));
-    Err(SweepError(format!(
+    Err(StudyError::Points(format!(
         "{axis} varies, but the scene has {symbol} = {value} {}, and both give the plate's size: vary {symbol}, or set {axis} \
          in place of {symbol}",
         given.unit()
     )))
 }
 
-fn points(axes: &[Axis]) -> Result<u64, SweepError> {
+fn points(axes: &[Axis]) -> Result<u64, StudyError> {
     let product = axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
     product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
         let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
         let most = POINTS_MAX as f64;
-        SweepError(format!(
+        StudyError::Points(format!(
             "{all:.1e} points are too many: a sweep has at most {most:e}; take fewer points along the axes"
         ))
     })

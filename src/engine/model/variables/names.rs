@@ -26,11 +26,17 @@ pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
     let spelled = name.to_lowercase().replace([' ', '-'], "_");
     exact
         .or_else(|| VARIABLES.iter().find(|variable| variable.name() == spelled))
-        .ok_or_else(|| VariableError(format!("`{name}` is not a variable: {}", nearest(name))))
+        .ok_or_else(|| VariableError::Unknown { name: name.to_owned(), cure: nearest(name) })
 }
 
-/// A hint that names the variables meant by `name`: by symbol, synonym and field before spelling.
+/// A hint that names the variables meant by `name`, else the usual ones.
 pub fn nearest(name: &str) -> String {
+    did_you_mean(name)
+        .unwrap_or_else(|| format!("the usual ones are {DEFAULT}; `cmra explain` lists all"))
+}
+
+/// A hint that names the variables meant by `name`: by symbol, synonym and field before spelling. `None` when none is close.
+pub fn did_you_mean(name: &str) -> Option<String> {
     let lower = name.to_lowercase();
     let meant = VARIABLES.iter().filter(|it| is_meant(it, &lower)).map(|it| (0, it.symbol));
     let distance = |candidate: &str| strsim::osa_distance(&lower, &candidate.to_lowercase());
@@ -48,9 +54,7 @@ pub fn nearest(name: &str) -> String {
     let is_key = name.contains('.');
     let spelled = spelled.filter(|(_, name)| !is_key || name.contains('.'));
     let spelled: Vec<(usize, &str)> = spelled.collect();
-    close(name, meant.collect())
-        .or_else(|| close(name, spelled))
-        .unwrap_or_else(|| format!("the usual ones are {DEFAULT}; `cmra explain` lists all"))
+    close("", name, meant.collect()).or_else(|| close("", name, spelled))
 }
 
 /// The last part of the key.
@@ -65,9 +69,9 @@ fn is_meant(variable: &Variable, lower: &str) -> bool {
         || synonyms.any(|synonym| synonym.split(['_', '-']).any(|word| word == lower))
 }
 
-/// `did you mean ...?` with the nearest of some candidates, each with its distance from a name; `None` when none is close. Of those as
-/// near as each other the first ones are named.
-pub fn close(name: &str, mut candidates: Vec<(usize, &str)>) -> Option<String> {
+/// `did you mean ...?` with the nearest of some candidates, each with its distance from a name, and before them what they are; `None` when
+/// none is close. Of those as near as each other the first ones are named.
+pub fn close(what: &str, name: &str, mut candidates: Vec<(usize, &str)>) -> Option<String> {
     const SHOWN_MAX: usize = 4;
     let limit = (name.chars().count() / 3).max(1);
     candidates.sort_by_key(|(distance, _)| *distance);
@@ -75,7 +79,7 @@ pub fn close(name: &str, mut candidates: Vec<(usize, &str)>) -> Option<String> {
     candidates.retain(|(_, candidate)| seen.insert(*candidate));
     let close = candidates.iter().take_while(|(distance, _)| *distance <= limit).take(SHOWN_MAX);
     let close: Vec<String> = close.map(|(_, candidate)| format!("`{candidate}`")).collect();
-    (!close.is_empty()).then(|| format!("did you mean {}?", close.join(" or ")))
+    (!close.is_empty()).then(|| format!("did you mean {what}{}?", close.join(" or ")))
 }
 
 #[cfg(test)]

@@ -9,9 +9,13 @@ use crate::model::scene::{
 use crate::model::stack;
 use crate::model::units::{shortest, significant};
 
-/// Refuses values that make no sense together.
-fn require(holds: bool, otherwise: impl FnOnce() -> String) -> Result<(), VariableError> {
-    if holds { Ok(()) } else { Err(VariableError(otherwise())) }
+/// Refuses values of the variables with these keys that make no sense together.
+fn require(
+    holds: bool,
+    keys: &[&'static str],
+    otherwise: impl FnOnce() -> String,
+) -> Result<(), VariableError> {
+    if holds { Ok(()) } else { Err(VariableError::together(keys, otherwise())) }
 }
 
 /// All rules between values, in the order in which they are reported.
@@ -20,14 +24,14 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     // Not `-d`, which is written as -0 where nothing is cocked.
     let start = 0.0 - plate.cocking_m;
     let position = mechanism.stop.position_m.unwrap_or(start);
-    require(position >= start, || {
+    require(position >= start, &["mechanism.stop.position_m"], || {
         let (position, start) = (shortest(position), shortest(start));
         format!(
             "x_stop (mechanism.stop.position_m) = {position} m lies behind the plate's start at -d = {start} m: it must be \
              {start} m or more; move the stop or reduce d"
         )
     })?;
-    require(scene.closing_velocity_m_s() > 0.0, || {
+    require(scene.closing_velocity_m_s() > 0.0, &["plate.velocity_m_s"], || {
         format!(
             "w_0 (plate.velocity_m_s) = {} m/s takes the plate away before the projectile reaches it: it must be below \
              v_i / cos(theta) = {} m/s; reduce w_0 or raise v_i",
@@ -38,23 +42,31 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     check_closure(scene)?;
     let both = contact.load_stiffness_n_m.zip(contact.unload_stiffness_n_m);
     let lumped = both.filter(|_| contact.model == ContactModel::Lumped);
-    require(lumped.is_none_or(|(load, unload)| unload >= load), || {
-        let (load, unload) = lumped.unwrap_or_default();
-        let (load, unload) = (shortest(load), shortest(unload));
-        format!(
-            "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
+    require(
+        lumped.is_none_or(|(load, unload)| unload >= load),
+        &["contact.unload_stiffness_n_m"],
+        || {
+            let (load, unload) = lumped.unwrap_or_default();
+            let (load, unload) = (shortest(load), shortest(unload));
+            format!(
+                "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
              more than it took; it must be {load} N/m or more, or `auto`"
-        )
-    })?;
+            )
+        },
+    )?;
     if scene.is_sprung() {
         mechanism.spring.law().check()?;
-        require(contact.model != ContactModel::Appendix || mechanism.is_plain(), || {
-            format!(
-                "model (contact.model) = appendix needs a power law, and {} is not one: set model = hydrodynamic, or \
+        require(
+            contact.model != ContactModel::Appendix || mechanism.is_plain(),
+            &["contact.model", "mechanism.spring.kind"],
+            || {
+                format!(
+                    "model (contact.model) = appendix needs a power law, and {} is not one: set model = hydrodynamic, or \
                  spring = power-law, combine = alone, own_mass = ignored",
-                described(mechanism)
-            )
-        })?;
+                    described(mechanism)
+                )
+            },
+        )?;
     }
     check_stack(scene)
 }
@@ -63,13 +75,13 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
 fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target_in_effect();
     let is_cavity = closure == Closure::Cavity;
-    require(!(is_cavity && dishing), || {
+    require(!(is_cavity && dishing), &["target.closure", "target.dishing"], || {
         "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
          material that holds it back: set dishing = off, or closure = double-yield"
             .to_owned()
     })?;
     let is_stiff = |least_pa: f64, what: &str| {
-        require(modulus_pa > least_pa, || {
+        require(modulus_pa > least_pa, &["target.modulus_pa", "target.yield_pa"], || {
             format!(
                 "E (target.modulus_pa) = {} Pa is not greater than {what} = {} Pa: cavity expansion needs an elastic body; for \
                  steel E is about 2e11 Pa, for aluminium 7e10 Pa",
@@ -90,40 +102,52 @@ fn check_closure(scene: &Scene) -> Result<(), VariableError> {
 /// A nose that shears out a plug needs the strength of the metal, a metal with a plug law, and a plate that is heavier than its plug.
 fn check_plug(scene: &Scene) -> Result<(), VariableError> {
     let nose = scene.projectile.nose.word();
-    require(scene.closure() != Closure::Given, || {
+    require(scene.closure() != Closure::Given, &["projectile.nose", "target.closure"], || {
         format!(
             "nose (projectile.nose) = {nose} with closure (target.closure) = given: the plug law needs Y and E; set closure = \
              cylindrical with Y, UTS and E, choose a material, or set nose = hemispherical"
         )
     })?;
-    require(scene.contact.model != ContactModel::Appendix, || {
-        format!(
-            "nose (projectile.nose) = {nose} with model (contact.model) = appendix: the listing has a hemisphere only; set model = \
+    require(
+        scene.contact.model != ContactModel::Appendix,
+        &["projectile.nose", "contact.model"],
+        || {
+            format!(
+                "nose (projectile.nose) = {nose} with model (contact.model) = appendix: the listing has a hemisphere only; set model = \
              hydrodynamic, or nose = hemispherical"
-        )
-    })?;
+            )
+        },
+    )?;
     let density_kg_m3 = scene.target.density_kg_m3;
-    require(Metal::of_density(density_kg_m3).is_some(), || {
-        let (low, high) = Metal::STEEL_KG_M3;
-        format!(
-            "nose (projectile.nose) = {nose} on a plate of rho (target.density_kg_m3) = {} kg/m^3: there is no plug law for this \
+    require(
+        Metal::of_density(density_kg_m3).is_some(),
+        &["projectile.nose", "target.density_kg_m3"],
+        || {
+            let (low, high) = Metal::STEEL_KG_M3;
+            format!(
+                "nose (projectile.nose) = {nose} on a plate of rho (target.density_kg_m3) = {} kg/m^3: there is no plug law for this \
              metal, only for light alloys below {} and steels of {} to {} kg/m^3; set nose = hemispherical for hole growth alone",
-            shortest(density_kg_m3),
-            shortest(Metal::LIGHT_BELOW_KG_M3),
-            shortest(low),
-            shortest(high)
-        )
-    })?;
+                shortest(density_kg_m3),
+                shortest(Metal::LIGHT_BELOW_KG_M3),
+                shortest(low),
+                shortest(high)
+            )
+        },
+    )?;
     let plug_kg = Plug::from_scene(scene).map_or(0.0, |plug| plug.mass_kg);
     let plate_kg = scene.plate_mass_kg();
-    require(!scene.is_sprung() || plate_kg > plug_kg, || {
-        format!(
-            "plate mass m_2 = {} g is not greater than the {} g of the plug that nose (projectile.nose) = {nose} shears out: the \
+    require(
+        !scene.is_sprung() || plate_kg > plug_kg,
+        &["projectile.nose", "plate.mass_ratio"],
+        || {
+            format!(
+                "plate mass m_2 = {} g is not greater than the {} g of the plug that nose (projectile.nose) = {nose} shears out: the \
              whole plate is the plug; raise gamma (plate.mass_ratio), m_2 or face, or set mount = rigid",
-            significant(1e3 * plate_kg, 4),
-            significant(1e3 * plug_kg, 4)
-        )
-    })
+                significant(1e3 * plate_kg, 4),
+                significant(1e3 * plug_kg, 4)
+            )
+        },
+    )
 }
 
 /// The mechanism in a few words, for refusals.
@@ -141,30 +165,38 @@ fn described(mechanism: &Mechanism) -> String {
 fn check_stack(scene: &Scene) -> Result<(), VariableError> {
     let Stack { elements, layers, base_thickness_m, .. } = &scene.stack;
     let model = scene.contact.model;
-    require(elements.fract() == 0.0, || {
+    require(elements.fract() == 0.0, &["stack.elements"], || {
         format!(
             "elements (stack.elements) = {} is not whole: there are 1 to 50 of them; round it",
             shortest(*elements)
         )
     })?;
     if base_thickness_m.is_none() {
-        return require(*elements <= 1.0 && layers.is_empty(), || {
-            format!(
-                "elements (stack.elements, stack.layer) = {} without h_base (stack.base_thickness_m): a stack must end in a \
+        return require(
+            *elements <= 1.0 && layers.is_empty(),
+            &["stack.elements", "stack.base_thickness_m"],
+            || {
+                format!(
+                    "elements (stack.elements, stack.layer) = {} without h_base (stack.base_thickness_m): a stack must end in a \
                  base plate; write its thickness, for example stack.base_thickness_m = 0.01, or omit the stack",
-                shortest(elements + layers.len() as f64)
-            )
-        });
+                    shortest(elements + layers.len() as f64)
+                )
+            },
+        );
     }
-    require(model == ContactModel::Hydrodynamic, || {
-        format!(
-            "model (contact.model) = {} gives no residual velocity, which a stack (stack.base_thickness_m) needs: set \
+    require(
+        model == ContactModel::Hydrodynamic,
+        &["contact.model", "stack.base_thickness_m"],
+        || {
+            format!(
+                "model (contact.model) = {} gives no residual velocity, which a stack (stack.base_thickness_m) needs: set \
              model = hydrodynamic, or h_base = none",
-            model.word()
-        )
-    })?;
+                model.word()
+            )
+        },
+    )?;
     for (number, Layer { target, plate, mechanism }) in (1..).zip(layers) {
-        require(plate.velocity_m_s == 0.0, || {
+        require(plate.velocity_m_s == 0.0, &["plate.velocity_m_s"], || {
             format!(
                 "stack.layer {number}: w_0 (plate.velocity_m_s) = {} m/s: only the plate that is struck first can have a velocity; set it to 0",
                 plate.velocity_m_s
@@ -172,8 +204,7 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
         })?;
         let mut own = Scene { stack: Stack::default(), ..scene.clone() };
         (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
-        super::validate(&own)
-            .map_err(|error| VariableError(format!("stack.layer {number}: {error}")))?;
+        super::validate(&own).map_err(|source| element(format!("stack.layer {number}"), source))?;
     }
     if !scene.projectile.nose.shears() {
         return Ok(());
@@ -182,16 +213,19 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
     let plates = stack::plates(scene);
     let count = plates.len() - 1;
     for (number, plate) in plates.iter().enumerate().skip(1) {
-        super::validate(plate)
-            .map_err(|error| VariableError(format!("{}: {error}", stack::name(number, count))))?;
+        super::validate(plate).map_err(|source| element(stack::name(number, count), source))?;
     }
     Ok(())
+}
+
+fn element(place: String, source: VariableError) -> VariableError {
+    VariableError::Element { place, source: Box::new(source) }
 }
 
 /// Refuses other models than the hydrodynamic one.
 pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
     let model = scene.contact.model;
-    require(model == ContactModel::Hydrodynamic, || {
+    require(model == ContactModel::Hydrodynamic, &["contact.model"], || {
         format!(
             "model (contact.model) = {} is not for this study, which compares methods for the hydrodynamic law: set model = \
              hydrodynamic",
@@ -202,7 +236,7 @@ pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
 
 /// Refuses other mechanisms than the thesis's own, whose variables are the axes of the stability map.
 pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
-    require(!scene.is_sprung() || scene.mechanism.is_plain(), || {
+    require(!scene.is_sprung() || scene.mechanism.is_plain(), &["mechanism.spring.kind"], || {
         format!(
             "{} is not for the stability map, which varies k, n or b of the thesis's spring k |x|^n and damper: set spring = \
              power-law, combine = alone, own_mass = ignored, N_spring = 1",
@@ -214,7 +248,7 @@ pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
 /// Refuses a stack, for studies that look at one plate.
 pub fn require_single(scene: &Scene) -> Result<(), VariableError> {
     let base_m = scene.stack.base_thickness_m;
-    require(base_m.is_none(), || {
+    require(base_m.is_none(), &["stack.base_thickness_m"], || {
         format!(
             "h_base (stack.base_thickness_m) = {} m makes the scene a stack, and this study looks at one plate: set h_base = none, \
              elements = 1",

@@ -7,7 +7,7 @@ use crate::study::compare::hold_spring_mass;
 use crate::study::compare::sizing::{Absence, mass_efficiency};
 use crate::study::context::{Context, Work};
 use crate::study::sweep::axis::numeric;
-use crate::study::sweep::{Axis, Plan, Spacing, SweepError};
+use crate::study::sweep::{Axis, Plan, Spacing, StudyError};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables;
 use cmra_engine::numerics::larger;
@@ -42,12 +42,12 @@ impl Map {
         axes: &[Axis; 2],
         hardware: Hardware,
         context: &mut Context<'_, Self>,
-    ) -> Result<Self, SweepError> {
-        variables::require_single(scene).map_err(|error| SweepError(error.to_string()))?;
+    ) -> Result<Self, StudyError> {
+        variables::require_single(scene)?;
         if axes.iter().any(|axis| axis.symbol() == "h") {
             let text = "the map does not depend on h: each point sizes h to just stop its shot; take another variable, or \
                         `cmra sweep --over h --outputs limit_if_spring_survives_m_s`";
-            return Err(SweepError(text.to_owned()));
+            return Err(StudyError::Points(text.to_owned()));
         }
         let mut own = scene.clone();
         own.sweep = None;
@@ -191,7 +191,7 @@ pub fn default_axes(scene: &Scene) -> Option<[Axis; 2]> {
 
 /// The axis of a variable that is requested by its name alone: around the scene's own value at equal ratios, or over the range
 /// of Table 9.2.
-pub fn default_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, SweepError> {
+pub fn default_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, StudyError> {
     let (variable, number) = numeric(name)?;
     let (low, high) = if variable.symbol == "v_i" { AROUND_VELOCITY } else { AROUND };
     match ((number.get)(scene).filter(|own| *own > 0.0), variable.thesis_range) {

@@ -225,7 +225,7 @@ fn column(name: &str) -> Result<Column, String> {
     variables::find(name).map(Column::Variable).map_err(|_problem| {
         let others = MEASURED.iter().map(|it| it.0).chain(OTHERS);
         let near = others.map(|other| (strsim::osa_distance(name, other), other)).collect();
-        variables::close(name, near).unwrap_or_else(|| {
+        variables::close("", name, near).unwrap_or_else(|| {
             let (first, last) = name.rsplit_once('_').unwrap_or((name, ""));
             match variables::find(first) {
                 Ok(variable) => format!("did you mean `{} [{last}]`?", variable.symbol),

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Axis, Number, Random, Scene, Spacing, SweepError, Variable};
+use super::{Axis, Number, Random, Scene, Spacing, StudyError, Variable};
 use crate::study::sweep::axis::{ends, numeric};
 use cmra_engine::model::units::{self, Bare, significant};
 
@@ -74,7 +74,7 @@ impl PartialEq for Tolerance {
 
 impl Tolerance {
     /// An input by its name.
-    pub fn new(name: &str, distribution: Distribution) -> Result<Self, SweepError> {
+    pub fn new(name: &str, distribution: Distribution) -> Result<Self, StudyError> {
         let (variable, number) = numeric(name)?;
         Ok(Self { variable, number, distribution })
     }
@@ -126,7 +126,7 @@ impl Tolerance {
 
     /// An axis for the evaluation alone: its ends are the scene's own value and the nearest allowed one, since the samples are
     /// listed and each is checked by itself.
-    pub(super) fn axis(&self, scene: &Scene) -> Result<Axis, SweepError> {
+    pub(super) fn axis(&self, scene: &Scene) -> Result<Axis, StudyError> {
         let Distribution(_, (first, second)) = self.distribution;
         let own = (self.number.get)(scene).unwrap_or(0.5 * (first + second));
         let beside = [own.next_up(), own.next_down()];

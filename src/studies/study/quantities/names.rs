@@ -1,6 +1,6 @@
 //! Quantities by name: lookup, hints for unknown names, and the list of all.
 
-use crate::study::error::SweepError;
+use crate::study::error::QuantityError;
 use crate::study::quantities::{QUANTITIES, Quantity};
 use cmra_engine::model::variables;
 
@@ -11,16 +11,17 @@ pub fn find(name: &str) -> Option<&'static Quantity> {
 
 /// The quantity that is meant by this name: written with blanks or dashes, or without its unit where that means one quantity only
 /// (`stroke`, `limit velocity`).
-pub fn named(name: &str) -> Result<&'static Quantity, SweepError> {
+pub fn named(name: &str) -> Result<&'static Quantity, QuantityError> {
     let written = name.trim();
     let spelled = written.to_lowercase().replace([' ', '-'], "_");
     let bare = || {
         let mut same = QUANTITIES.iter().filter(|it| it.bare() == spelled);
         same.next().filter(|_| same.next().is_none())
     };
-    find(written).or_else(|| find(&spelled)).or_else(bare).ok_or_else(|| {
-        SweepError(format!("output {name}: not a result of a run: {}", nearest(name)))
-    })
+    find(written)
+        .or_else(|| find(&spelled))
+        .or_else(bare)
+        .ok_or_else(|| QuantityError::Unknown { name: name.to_owned(), cure: nearest(name) })
 }
 
 /// The quantities requested most.
@@ -47,7 +48,7 @@ pub fn nearest(name: &str) -> String {
     // Of those as near as each other the ones requested most come first.
     let mut all: Vec<&Quantity> = QUANTITIES.iter().collect();
     all.sort_by_key(|quantity| !DEFAULT.contains(&quantity.name));
-    variables::close(&lower, all.into_iter().map(ranked).collect()).unwrap_or_else(|| {
+    variables::close("", &lower, all.into_iter().map(ranked).collect()).unwrap_or_else(|| {
         format!("the usual ones are {}; `cmra explain` lists all", DEFAULT.join(", "))
     })
 }

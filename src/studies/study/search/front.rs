@@ -14,7 +14,7 @@ use crate::study::quantities::{Quantity, named};
 use crate::study::search::sampling::{self, Evaluation, Sample};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::default_axes::{or_usual, thesis_axes};
-use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, SweepError};
+use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, StudyError};
 use crate::study::validity::{self, DesignValidity, Plastic};
 use crate::study::verdict::Verdict;
 use cmra_engine::model::run::EndReason;
@@ -48,7 +48,7 @@ pub struct Objective {
 
 impl Objective {
     /// Creates an objective from the name of its quantity.
-    pub fn new(name: &str, maximise: bool) -> Result<Self, SweepError> {
+    pub fn new(name: &str, maximise: bool) -> Result<Self, StudyError> {
         Ok(Self { measure: named(name)?, maximise })
     }
 
@@ -188,12 +188,12 @@ impl FrontReport {
 /// Searches for the front and reports it after each round.
 ///
 /// # Errors
-/// A [`SweepError`] when bounds, names or the scene make no sense: then nothing has run.
+/// A [`StudyError`] when bounds, names or the scene make no sense: then nothing has run.
 pub fn run(
     scene: &Scene,
     request: &Request,
     context: &mut Context<'_, FrontReport>,
-) -> Result<FrontReport, SweepError> {
+) -> Result<FrontReport, StudyError> {
     let over = or_usual(&request.over, || thesis_axes(scene))?;
     let mut request = Request { over, ..request.clone() };
     for objective in &mut request.objectives {

@@ -10,7 +10,7 @@ use std::str::FromStr;
 
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
-use crate::study::sweep::{Axis, Plan, PointOutcome, SweepError};
+use crate::study::sweep::{Axis, Plan, PointOutcome, StudyError};
 use crate::study::validity::DesignValidity;
 use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::{Criterion, InterfaceLaw, Scene};
@@ -155,12 +155,12 @@ impl SeekReport {
 /// Finds all values of the variable that reach the goal, with the interface law of the scene.
 ///
 /// # Errors
-/// A [`SweepError`] when bounds, name or scene make no sense: then nothing has run.
+/// A [`StudyError`] when bounds, name or scene make no sense: then nothing has run.
 pub fn run(
     scene: &Scene,
     request: &Request,
     context: &mut Context<'_, SeekReport>,
-) -> Result<SeekReport, SweepError> {
+) -> Result<SeekReport, StudyError> {
     let Request { over: axis, goal } = request;
     let goal = Goal { measure: goal.measure.design_quantity(scene), ..*goal };
     let space = Plan::for_designs(scene, vec![axis.clone()], &[goal.measure.name])?;

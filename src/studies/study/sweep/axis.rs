@@ -6,7 +6,7 @@
 use std::fmt;
 use std::ops::{Range, RangeInclusive};
 
-use crate::study::error::SweepError;
+use crate::study::error::StudyError;
 use cmra_engine::model::scene::{Scene, Sweep, SweepAxis};
 use cmra_engine::model::units;
 use cmra_engine::model::variables::{self, Allowed, Number, Variable};
@@ -67,7 +67,7 @@ impl Axis {
         (from, to): (f64, f64),
         count: u64,
         spacing: Spacing,
-    ) -> Result<Self, SweepError> {
+    ) -> Result<Self, StudyError> {
         let count = usize::try_from(count).unwrap_or(usize::MAX);
         let log = spacing == Spacing::Log;
         Self::from_sweep_axis(
@@ -80,7 +80,7 @@ impl Axis {
     pub fn from_sweep_axis(
         asked: &SweepAxis,
         counts: &RangeInclusive<u64>,
-    ) -> Result<Self, SweepError> {
+    ) -> Result<Self, StudyError> {
         let (variable, number) = numeric(&asked.name)?;
         let mut range = SweepAxis { name: variable.symbol.to_owned(), ..asked.clone() };
         if !range.values.is_empty() {
@@ -99,7 +99,7 @@ impl Axis {
     }
 
     /// Creates the axes of a sweep in a scene file.
-    pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, SweepError> {
+    pub fn all_of(sweep: &Sweep) -> Result<Vec<Self>, StudyError> {
         sweep.axes.iter().map(|axis| Self::from_sweep_axis(axis, &COUNTS)).collect()
     }
 
@@ -252,58 +252,70 @@ pub fn scene_with(scene: &Scene, axes: &[Axis], values: &[f64]) -> Scene {
 }
 
 /// Checks that the values of an axis are distinct, and positive if they have equal ratios.
-fn check_distinct(range: &SweepAxis) -> Result<(), SweepError> {
+fn check_distinct(range: &SweepAxis) -> Result<(), StudyError> {
     let (axis, shown) = (&range.name, units::shortest);
     let values = &range.values;
     if !values.is_empty() {
         let twice = |at: &usize| values[..*at].iter().any(|it| shown(*it) == shown(values[*at]));
         return (0..values.len()).find(twice).map_or(Ok(()), |at| {
             let value = shown(values[at]);
-            Err(SweepError(format!(
-                "axis {axis}: {value} occurs twice in the list; omit one of them"
-            )))
+            Err(StudyError::axis(
+                axis,
+                format!("{value} occurs twice in the list; omit one of them"),
+            ))
         });
     }
     let [from, to] = [range.from, range.to].map(shown);
     if from == to {
-        return Err(SweepError(format!(
-            "axis {axis}: both ends are {from}: the two ends must differ; widen the range, or hold {axis} at one value"
-        )));
+        return Err(StudyError::axis(
+            axis,
+            format!(
+                "both ends are {from}: the two ends must differ; widen the range, or hold {axis} at one value"
+            ),
+        ));
     }
     if range.log && (range.from <= 0.0 || range.to <= 0.0) {
         let high = larger(range.from, range.to);
         let start = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
-        return Err(SweepError(format!(
-            "axis {axis}: {from} to {to} at equal ratios: both ends must be greater than 0; omit log, or start above 0, for \
+        return Err(StudyError::axis(
+            axis,
+            format!(
+                "{from} to {to} at equal ratios: both ends must be greater than 0; omit log, or start above 0, for \
              example at {start}"
-        )));
+            ),
+        ));
     }
     Ok(())
 }
 
 /// Checks the number of points of an axis.
-fn check_count(range: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<(), SweepError> {
+fn check_count(range: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<(), StudyError> {
     let SweepAxis { name: axis, from, count, values, .. } = range;
     if counts.contains(&(*count as u64)) {
         return Ok(());
     }
     let (least, most) = (counts.start(), counts.end());
     let value = units::shortest(values.first().copied().unwrap_or(*from));
-    Err(SweepError(format!(
-        "axis {axis}: count = {count} is impossible: an axis has {least} to {most} points here; to hold {axis}, set it \
+    Err(StudyError::axis(
+        axis,
+        format!(
+            "count = {count} is impossible: an axis has {least} to {most} points here; to hold {axis}, set it \
          to one value ({axis}={value})"
-    )))
+        ),
+    ))
 }
 
 pub(in crate::study) fn numeric(
     name: &str,
-) -> Result<(&'static Variable, &'static Number), SweepError> {
-    let variable = variables::find(name).map_err(|source| SweepError::unknown(name, &source))?;
+) -> Result<(&'static Variable, &'static Number), StudyError> {
+    let variable =
+        variables::find(name).map_err(|source| StudyError::axis(name, source.to_string()))?;
     let number = variable.number().ok_or_else(|| {
         let (axis, choices) = (variable.symbol, variable.allowed());
-        SweepError(format!(
-            "axis {axis}: it has no numbers to sweep over, only {choices}; sweep a numeric variable"
-        ))
+        StudyError::axis(
+            axis,
+            format!("it has no numbers to sweep over, only {choices}; sweep a numeric variable"),
+        )
     })?;
     Ok((variable, number))
 }
@@ -314,7 +326,7 @@ fn nearest_short(value: f64) -> f64 {
     if (short - value).abs() <= 1e-14 * value { short } else { value }
 }
 
-fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepError {
+fn impossible(variable: &'static Variable, number: &Number, end: f64) -> StudyError {
     let unit = number.quantity.unit();
     let limit = match number.allowed {
         Allowed::Positive => Some("a value above 0".to_owned()),
@@ -335,9 +347,10 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
     let rule = number.allowed.describe(number.quantity);
     let value = format!("{value} {unit}");
     let value = value.trim_end();
-    SweepError(format!(
-        "axis {symbol}: the range reaches {value}, which is impossible: {meaning} must be {rule}; {cure}"
-    ))
+    StudyError::axis(
+        symbol,
+        format!("the range reaches {value}, which is impossible: {meaning} must be {rule}; {cure}"),
+    )
 }
 
 #[cfg(test)]

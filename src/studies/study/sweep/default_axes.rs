@@ -1,6 +1,6 @@
 //! Default variables of a search, with their ranges.
 
-use crate::study::sweep::{Axis, Spacing, SweepError};
+use crate::study::sweep::{Axis, Spacing, StudyError};
 use cmra_engine::model::run::envelope::FACE_LEAST;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::significant;
@@ -13,7 +13,7 @@ const FACE_MOST: f64 = 4.0 * FACE_LEAST;
 ///
 /// The range of the mass ratio applies to the projectile of the thesis. For another projectile it is that of plates from [`FACE_LEAST`] to
 /// 12 diameters wide.
-pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
+pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, StudyError> {
     let ranges = || {
         let of = |it: &'static Variable| Some((it, it.number()?, thesis_ends(scene, it)?));
         VARIABLES.iter().filter_map(of)
@@ -55,11 +55,11 @@ fn mass_ratios(scene: &Scene, table: (f64, f64)) -> (f64, f64) {
 /// These axes, or where there are none the usual ones.
 pub fn or_usual(
     axes: &[Axis],
-    usual: impl FnOnce() -> Result<Vec<Axis>, SweepError>,
-) -> Result<Vec<Axis>, SweepError> {
+    usual: impl FnOnce() -> Result<Vec<Axis>, StudyError>,
+) -> Result<Vec<Axis>, StudyError> {
     let axes = if axes.is_empty() { usual()? } else { axes.to_vec() };
     if axes.is_empty() {
-        return Err(SweepError(
+        return Err(StudyError::Points(
             "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
                 .to_owned(),
         ));

@@ -155,7 +155,7 @@ fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
         Some(Search::LimitIfSpringSurvives) => compare::limit_if_spring_survives_m_s(&run.scene),
         Some(Search::MassEfficiency) => {
             let found = compare::mass_efficiency(&run.scene, Hardware::default(), WIDTH);
-            found.map_err(|absence| absence.words.to_owned())
+            found.map_err(|absence| absence.words())
         }
         None => output.value(run).ok_or_else(String::new),
     }

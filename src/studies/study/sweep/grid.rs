@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::study::context::{Context, Work};
 use crate::study::outcome::OutcomeCounts;
-use crate::study::sweep::{Evaluator, Plan, Point, PointOutcome, SweepError};
+use crate::study::sweep::{Evaluator, Plan, Point, PointOutcome, StudyError};
 use crate::study::validity;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
@@ -32,13 +32,13 @@ fn along(count: usize, stride: usize) -> usize {
 }
 
 /// Checks that a plan has no more points than a grid can hold.
-pub fn fits(plan: &Plan) -> Result<(), SweepError> {
+pub fn fits(plan: &Plan) -> Result<(), StudyError> {
     let points = plan.points();
     let most = GRID_MAX;
     if points <= most {
         return Ok(());
     }
-    Err(SweepError(format!(
+    Err(StudyError::Points(format!(
         "{points} points are too many for the screen, which keeps at most {most}: take fewer along the axes, or use `cmra sweep`"
     )))
 }

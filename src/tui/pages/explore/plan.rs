@@ -5,7 +5,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::preset::ReferencePreset;
 use cmra_engine::model::scene::{ContactModel, SweepAxis};
 use cmra_studies::study::sweep::grid::{self, GRID_COUNTS, Grid};
-use cmra_studies::study::sweep::{Axis, Plan, Spacing, SweepError};
+use cmra_studies::study::sweep::{Axis, Plan, StudyError};
 
 /// Whether a preset is a figure of the thesis, drawn with the corrected physics.
 pub(crate) fn is_corrected_figure(base: &ReferencePreset) -> bool {
@@ -49,12 +49,12 @@ impl App {
     }
 
     /// The plan of the chart or map shown, of the present scene.
-    pub fn sweep_plan(&self) -> Result<Plan, SweepError> {
+    pub fn sweep_plan(&self) -> Result<Plan, StudyError> {
         self.sweep_plan_of(&self.scene)
     }
 
     /// Builds the sweep plan for another scene.
-    pub fn sweep_plan_of(&self, scene: &Scene) -> Result<Plan, SweepError> {
+    pub fn sweep_plan_of(&self, scene: &Scene) -> Result<Plan, StudyError> {
         let sweep = sweep_of(scene);
         let axis = |at: usize| Axis::from_sweep_axis(&sweep.axes[at], &GRID_COUNTS);
         let mut axes = vec![axis(0)?];

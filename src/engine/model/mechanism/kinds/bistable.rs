@@ -36,11 +36,12 @@ impl Law for Bistable {
         let Some(unstable) = self.unstable_m.filter(|unstable| *unstable >= self.second_m) else {
             return Ok(());
         };
-        Err(VariableError(format!(
+        let problem = format!(
             "x_u (mechanism.spring.bistable.unstable_m) = {} m does not lie between the stable positions 0 and x_2 = {} m: it must be less \
              than x_2; reduce it, or write `midway`",
             units::shortest(unstable),
             units::shortest(self.second_m)
-        )))
+        );
+        Err(VariableError::together(&["mechanism.spring.bistable.unstable_m"], problem))
     }
 }

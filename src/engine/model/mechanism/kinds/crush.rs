@@ -58,12 +58,13 @@ impl Law for Crush {
         if self.stroke_m > self.rise_m() {
             return Ok(());
         }
-        Err(VariableError(format!(
+        let problem = format!(
             "x_crush (mechanism.spring.crush.stroke_m) = {} m does not exceed F_crush/k_crush = {} m, where it begins to be crushed: it must \
              be more; raise x_crush or k_crush",
             units::shortest(self.stroke_m),
             units::shortest(self.rise_m())
-        )))
+        );
+        Err(VariableError::together(&["mechanism.spring.crush.stroke_m"], problem))
     }
 
     fn limits(&self, _: &Spring, side: f64) -> Vec<(f64, &'static str)> {

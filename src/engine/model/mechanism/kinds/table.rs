@@ -92,7 +92,8 @@ impl Law for Table {
         } else {
             return Ok(());
         };
-        Err(VariableError(format!("mechanism.spring.table{wrong}")))
+        let key = "mechanism.spring.table";
+        Err(VariableError::together(&[key], format!("{key}{wrong}")))
     }
 
     fn limits(&self, _: &Spring, side: f64) -> Vec<(f64, &'static str)> {

@@ -220,7 +220,7 @@ mod tests {
         found.iter().filter(|it| it.kind == Kind::Solution).map(|it| it.from.at).collect()
     }
 
-    fn assert_near(found: &[f64], exact: &[f64]) {
+    fn assert_roots(found: &[f64], exact: &[f64]) {
         assert_eq!(found.len(), exact.len(), "{found:?} {exact:?}");
         for (found, exact) in found.iter().zip(exact) {
             assert!((found - exact).abs() < 1e-13, "{found} {exact}");
@@ -235,10 +235,10 @@ mod tests {
         // sin(10 pi s - pi/3) = 0 at s = (n + 1/3)/10; take all of them.
         let all: Vec<f64> = (0..10).map(|n| (f64::from(n) + 1.0 / 3.0) / 10.0).collect();
         let found = scan(|s| Some((10.0 * pi * s - pi / 3.0).sin() + 2.0), 2.0, 41);
-        assert_near(&roots(&found), &all);
+        assert_roots(&roots(&found), &all);
         // tan-like slopes of one sign only: cos² touches nothing between.
         let half = scan(|s| Some((5.0 * pi * s - pi / 6.0).sin() + 2.0), 2.0, 41);
-        assert_near(&roots(&half), &exact[..5]);
+        assert_roots(&roots(&half), &exact[..5]);
     }
 
     #[test]
@@ -254,12 +254,12 @@ mod tests {
     fn a_crossing_between_the_scan_and_an_edge_is_found() {
         // Known only below 0.43; crosses at 0.42, between the points 0.4 and 0.5.
         let known = |s: f64| (s < 0.43).then_some(s);
-        assert_near(&roots(&scan(known, 0.42, 11)), &[0.42]);
+        assert_roots(&roots(&scan(known, 0.42, 11)), &[0.42]);
         let above = |s: f64| (s > 0.57).then_some(s);
-        assert_near(&roots(&scan(above, 0.58, 11)), &[0.58]);
+        assert_roots(&roots(&scan(above, 0.58, 11)), &[0.58]);
         // A hole within a bracket: crossing before it, and one that falls into it.
         let hole = |s: f64| (!(0.44..0.46).contains(&s)).then_some(s);
-        assert_near(&roots(&scan(hole, 0.43, 11)), &[0.43]);
+        assert_roots(&roots(&scan(hole, 0.43, 11)), &[0.43]);
         assert!(roots(&scan(hole, 0.45, 11)).is_empty());
         assert!(scan(|_| None, 1.0, 11).is_empty());
     }

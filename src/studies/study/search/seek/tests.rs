@@ -17,7 +17,7 @@ fn found(scene: &Scene, request: &Request) -> SeekReport {
     on(2, scene, request).unwrap()
 }
 
-fn on(threads: usize, scene: &Scene, request: &Request) -> Result<SeekReport, SweepError> {
+fn on(threads: usize, scene: &Scene, request: &Request) -> Result<SeekReport, StudyError> {
     run(scene, request, &mut Context::new(threads, &mut never_cancel))
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::study::error::SweepError;
+use crate::study::error::StudyError;
 use crate::study::sweep::axis::{Axis, Spacing, numeric};
 use cmra_engine::model::scene::SweepAxis;
 use cmra_engine::model::units::{self, Bare, Dimension};
@@ -17,8 +17,8 @@ impl Axis {
         argument: &str,
         usual: Option<u64>,
         counts: &RangeInclusive<u64>,
-    ) -> Result<Self, SweepError> {
-        let refuse = |problem: String| SweepError(format!("axis {argument}: {problem}"));
+    ) -> Result<Self, StudyError> {
+        let refuse = |problem: String| StudyError::axis(argument, problem);
         let form = || refuse(FORM.to_owned());
         let (name, rest) = argument.split_once('=').ok_or_else(form)?;
         let name = name.trim();
@@ -33,8 +33,8 @@ impl Axis {
         bare: Bare<'_>,
         usual: Option<u64>,
         counts: &RangeInclusive<u64>,
-    ) -> Result<Self, SweepError> {
-        let refuse = |problem: String| SweepError(format!("axis {name}={rest}: {problem}"));
+    ) -> Result<Self, StudyError> {
+        let refuse = |problem: String| StudyError::axis(format!("{name}={rest}"), problem);
         let form = || refuse(FORM.to_owned());
         let (_, number) = numeric(name)?;
         let quantity = number.quantity;
@@ -65,7 +65,7 @@ impl Axis {
         argument: &str,
         usual: Option<u64>,
         counts: &RangeInclusive<u64>,
-    ) -> Result<Self, SweepError> {
+    ) -> Result<Self, StudyError> {
         Self::read(argument, usual, counts)?.only_a_range(argument)
     }
 
@@ -75,21 +75,22 @@ impl Axis {
         (name, text): (&str, &str),
         usual: Option<u64>,
         counts: &RangeInclusive<u64>,
-    ) -> Result<Self, SweepError> {
+    ) -> Result<Self, StudyError> {
         let axis = Self::read_values(name, text, Bare::In(unit), usual, counts)?;
         axis.only_a_range(&format!("{name}={text}"))
     }
 
-    fn only_a_range(self, argument: &str) -> Result<Self, SweepError> {
+    fn only_a_range(self, argument: &str) -> Result<Self, StudyError> {
         if self.spacing() != Spacing::Listed {
             return Ok(self);
         }
         let (low, high) = self.ends();
         let (low, high) = (units::shortest(low), units::shortest(high));
-        Err(SweepError(format!(
-            "axis {argument}: a list of values is for `cmra sweep`; write a range here, for example {}={low}..{high}",
+        let problem = format!(
+            "a list of values is for `cmra sweep`; write a range here, for example {}={low}..{high}",
             self.symbol()
-        )))
+        );
+        Err(StudyError::axis(argument, problem))
     }
 }
 

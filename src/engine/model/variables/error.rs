@@ -1,0 +1,97 @@
+//! Errors of variables, by kind.
+
+use thiserror::Error;
+
+/// Why a variable cannot be set, or values make no sense together, with the cure.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum VariableError {
+    /// No variable has this name.
+    #[error("`{name}` is not a variable: {cure}")]
+    Unknown {
+        /// Name as it was written.
+        name: String,
+        /// The nearest names.
+        cure: String,
+    },
+    /// The text is no number of the variable's dimension.
+    #[error("{symbol} ({key}): {problem}")]
+    Unreadable {
+        /// Symbol of the variable.
+        symbol: &'static str,
+        /// Its key.
+        key: &'static str,
+        /// What is wrong with the text, and the cure.
+        problem: String,
+    },
+    /// The word is none of the variable's choices.
+    #[error("{symbol} ({key}) = `{value}` is not one of {allowed}")]
+    NotAChoice {
+        /// Symbol of the variable.
+        symbol: &'static str,
+        /// Its key.
+        key: &'static str,
+        /// Word as it was written.
+        value: String,
+        /// The choices.
+        allowed: String,
+    },
+    /// The number makes no physical sense by itself.
+    #[error("{symbol} ({key}) = {value} is impossible: {meaning} must be {allowed}; {cure}")]
+    Impossible {
+        /// Symbol of the variable.
+        symbol: &'static str,
+        /// Its key.
+        key: &'static str,
+        /// Number with its unit.
+        value: String,
+        /// Meaning of the variable.
+        meaning: &'static str,
+        /// The rule.
+        allowed: String,
+        /// What to write instead.
+        cure: String,
+    },
+    /// Values of several variables make no sense together, or not for a study.
+    #[error("{problem}")]
+    Together {
+        /// Keys of these variables.
+        keys: Vec<&'static str>,
+        /// Values, rule and cure.
+        problem: String,
+    },
+    /// An element of a stack makes no sense by itself.
+    #[error("{place}: {source}")]
+    Element {
+        /// Name of the element.
+        place: String,
+        /// Why it makes no sense.
+        source: Box<Self>,
+    },
+    /// Rows of a series that do not follow each other in time.
+    #[error(
+        "every_s = {every_s} s is no distance of rows: it must be a number greater than 0 s; omit it for the solver's own steps"
+    )]
+    Rows {
+        /// Distance of the rows, s.
+        every_s: String,
+    },
+}
+
+impl VariableError {
+    /// Creates an error of values that make no sense together.
+    pub(in crate::model) fn together(keys: &[&'static str], problem: String) -> Self {
+        Self::Together { keys: keys.to_vec(), problem }
+    }
+
+    /// The keys of the variables that the error is about.
+    pub fn keys(&self) -> Vec<&'static str> {
+        match self {
+            Self::Unreadable { key, .. }
+            | Self::NotAChoice { key, .. }
+            | Self::Impossible { key, .. } => vec![key],
+            Self::Together { keys, .. } => keys.clone(),
+            Self::Element { source, .. } => source.keys(),
+            Self::Unknown { .. } | Self::Rows { .. } => Vec::new(),
+        }
+    }
+}
