@@ -20,7 +20,9 @@ use cmra_studies::report::accuracy::{
 };
 use cmra_studies::study::accuracy::method::Method;
 use cmra_studies::study::accuracy::reference::Reference;
-use cmra_studies::study::accuracy::{AccuracyReport, ComparisonOptions, MethodReport, compare};
+use cmra_studies::study::accuracy::{
+    AccuracyReport, Compared, ComparisonOptions, MethodReport, compare,
+};
 use cmra_studies::study::context::Reach;
 
 const SIZE: draw::Size = (80, 20);
@@ -115,7 +117,8 @@ fn references(page: &mut String, report: &AccuracyReport) {
         }
     }
     for (reference, letters) in compared {
-        let [depth_m, time_s, ..] = reference.results;
+        let [depth_m, time_s] =
+            [Compared::Depth, Compared::Time].map(|of| reference.results.get(of));
         let depth = match reference.outcome {
             Outcome::Perforated => "perforated".to_owned(),
             _ => depth_m.map_or_else(|| "-".to_owned(), |depth_m| engineering(depth_m, "m", 6)),

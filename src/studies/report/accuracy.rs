@@ -8,7 +8,7 @@ use crate::report::table::{listed, texts};
 use crate::study::accuracy::method::{Method, Parameter};
 use crate::study::accuracy::reference::References;
 use crate::study::accuracy::{
-    AccuracyReport, Cheapest, MethodReport, OmissionGain, Point, RESULTS,
+    AccuracyReport, Cheapest, Compared, MethodReport, OmissionGain, Point,
 };
 use crate::study::context::Reach;
 use cmra_engine::model::library;
@@ -42,13 +42,13 @@ pub fn table<'r>(name: &'r str, report: &'r AccuracyReport) -> Table<'r, Row<'r>
             Parameter::Step(_) => None,
         })
         .field("error", move |row| Some(measured(row)?.error()));
-    let table = RESULTS.into_iter().enumerate().fold(table, |table, (at, (key, _))| {
-        table.field(key, move |row| measured(row)?.errors[at])
-    });
+    let table = Compared::ALL
+        .into_iter()
+        .fold(table, |table, of| table.field(of.key(), move |row| measured(row)?.errors.get(of)));
     table
         .field("at_floor", move |row| Some(measured(row)?.is_at_floor()))
-        .field("penetration_m", move |row| answer(row)?.results[0])
-        .field("end_time_s", move |row| answer(row)?.results[1])
+        .field("penetration_m", move |row| answer(row)?.results.get(Compared::Depth))
+        .field("end_time_s", move |row| answer(row)?.results.get(Compared::Time))
         .field("steps", move |row| Some(answer(row)?.steps))
         .field("rejected", move |row| Some(answer(row)?.rejected))
         .field("rhs_evaluations", move |row| Some(answer(row)?.evaluations))
@@ -148,8 +148,8 @@ pub fn json(name: &str, report: &AccuracyReport, reach: Reach) -> Value {
         json!({
             "basis": reference.basis.label(),
             "ending": reference.outcome.word(),
-            "penetration_m": reference.results[0],
-            "end_time_s": reference.results[1],
+            "penetration_m": reference.results.get(Compared::Depth),
+            "end_time_s": reference.results.get(Compared::Time),
             "uncertainty": reference.uncertainty,
         })
     });

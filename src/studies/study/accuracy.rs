@@ -21,7 +21,7 @@ pub mod method;
 pub mod reference;
 pub mod timing;
 
-pub use method::RESULTS;
+pub use method::Compared;
 use method::{Answer, Job, Method, Parameter, Refusal, Results, SettingGrid};
 use reference::{Reference, References, printed_limit};
 use timing::{Clock, time};
@@ -84,8 +84,8 @@ impl Measured {
     /// Returns the largest error, at least the uncertainty of the reference. The peak mount force is excluded: it occurs within a step,
     /// where the dense output of DOP853 is less accurate than at the ends.
     pub fn error(&self) -> f64 {
-        let [results @ .., _mount_force] = self.errors;
-        results.into_iter().flatten().fold(self.floor, larger)
+        let others = self.errors.known().filter(|it| it.0 != Compared::MountForce);
+        others.map(|it| it.1).fold(self.floor, larger)
     }
 
     /// Returns `true` if the error is at most the uncertainty of the reference.
@@ -161,7 +161,8 @@ pub fn compare(
     context.expect(plan.iter().map(|(_, parameters)| parameters.len()).sum());
     let printed = printed_limit(scene, end_s);
     let printed_off = printed.zip(references.any()).and_then(|(limit, right)| {
-        right.errors(scene, &limit.results)[0].filter(|off| *off > PRINTED_OFF_FROM)
+        let off = right.errors(scene, &limit.results).get(Compared::Depth);
+        off.filter(|off| *off > PRINTED_OFF_FROM)
     });
     let mut report = AccuracyReport {
         scene: Arc::clone(scene),
@@ -248,7 +249,7 @@ fn measure(
         return Err(Refusal::OtherOutcome);
     }
     let errors = reference.errors(scene, &answer.results);
-    if errors.iter().flatten().any(|error| !error.is_finite()) {
+    if errors.known().any(|(_, error)| !error.is_finite()) {
         return Err(Refusal::NonFinite);
     }
     let min_s = time(clock, point_s, || job.run());

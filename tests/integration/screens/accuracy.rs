@@ -10,9 +10,20 @@ use cmra::worker::ReportBody;
 use cmra::worker::studies::{MethodBenchmark, StudyResult};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::Scene;
-use cmra_studies::study::accuracy::method::{Answer, Method, Parameter, Refusal, SettingGrid};
+use cmra_studies::study::accuracy::method::{
+    Answer, Compared, Method, Parameter, Refusal, Results, SettingGrid,
+};
 use cmra_studies::study::accuracy::reference::{Reference, ReferenceSource, References};
 use cmra_studies::study::accuracy::{AccuracyReport, Measured, MethodReport, OmissionGain, Point};
+
+/// Numbers for the depth and the time alone.
+fn of_end(depth: f64, time: f64) -> Results {
+    Results::new(|of| match of {
+        Compared::Depth => Some(depth),
+        Compared::Time => Some(time),
+        _ => None,
+    })
+}
 
 /// When the made-up contact ends, s, and how deep it is then, m.
 const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
@@ -47,12 +58,12 @@ fn point(method: Method, parameter: Parameter) -> Point {
     let measured = Measured {
         answer: Answer {
             outcome: Outcome::Arrested,
-            results: [Some(END.1), Some(END.0), None, None, None, None, None],
+            results: of_end(END.1, END.0),
             steps: whole,
             rejected: 0,
             evaluations: 4 * whole,
         },
-        errors: [Some(error), Some(error), None, None, None, None, None],
+        errors: of_end(error, error),
         floor: 1e-15,
         min_s,
     };
@@ -64,7 +75,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> AccuracyReport {
     let reference = Reference {
         basis: ReferenceSource::Stored("S2"),
         outcome: Outcome::Arrested,
-        results: [Some(END.1), Some(END.0), None, None, None, None, None],
+        results: of_end(END.1, END.0),
         uncertainty: Some(1e-15),
     };
     let of = |method: Method| {

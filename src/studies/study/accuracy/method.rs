@@ -16,26 +16,60 @@ use cmra_engine::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
 use cmra_engine::model::scene::{InterfaceLaw, Listing, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 
-/// Results that are compared: key in files, and label.
-pub const RESULTS: [(&str, &str); 7] = [
-    ("penetration_error", "depth"),
-    ("time_error", "time"),
-    ("displacement_error", "displacement"),
-    ("force_error", "force"),
-    ("last_velocity_error", "last velocity"),
-    ("last_time_error", "last time"),
-    ("mount_force_error", "mount force"),
-];
+crate::enumeration! {
+    /// Result that methods are compared by.
+    pub enum Compared in ComparedRow {
+        /// Key of its error in files.
+        key: &'static str,
+        /// Label on screens.
+        label: &'static str,
+    }
+    /// Depth of the hole of an arrested projectile, m.
+    Depth { key: "penetration_error", label: "depth" }
+    /// Time of first arrest or of exit, s.
+    Time { key: "time_error", label: "time" }
+    /// Greatest plate displacement, m.
+    Displacement { key: "displacement_error", label: "displacement" }
+    /// Peak contact force, N.
+    Force { key: "force_error", label: "force" }
+    /// Velocity of a projectile that leaves the plate through either face, m/s.
+    LastVelocity { key: "last_velocity_error", label: "last velocity" }
+    /// Time at which it leaves, s.
+    LastTime { key: "last_time_error", label: "last time" }
+    /// Greatest force into the mount, N.
+    MountForce { key: "mount_force_error", label: "mount force" }
+}
 
-/// Values of [`RESULTS`], `None` if a result does not exist or the method does not compute it:
-///
-/// - depth of the hole of an arrested projectile, m
-/// - time of first arrest or of exit, s
-/// - maximum displacement of the plate, m
-/// - peak contact force, N
-/// - velocity of a projectile that leaves the plate through either face, m/s, and the time, s
-/// - peak mount force, N
-pub type Results = [Option<f64>; RESULTS.len()];
+/// A number for each compared result; `None` if the result does not exist, or the method does not know it.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Results([Option<f64>; Compared::ALL.len()]);
+
+impl Results {
+    /// Creates the numbers by a function of the result.
+    pub fn new(get: impl Fn(Compared) -> Option<f64>) -> Self {
+        Self(Compared::ALL.map(get))
+    }
+
+    /// The number of a result.
+    pub fn get(&self, of: Compared) -> Option<f64> {
+        self.0[of as usize]
+    }
+
+    /// Sets the number of a result.
+    pub fn set(&mut self, of: Compared, value: Option<f64>) {
+        self.0[of as usize] = value;
+    }
+
+    /// The numbers that exist, with their results.
+    pub fn known(&self) -> impl Iterator<Item = (Compared, f64)> {
+        Compared::ALL.into_iter().filter_map(|of| Some((of, self.get(of)?)))
+    }
+
+    /// The results that exist.
+    pub fn exist(&self) -> [bool; Compared::ALL.len()] {
+        self.0.map(|value| value.is_some())
+    }
+}
 
 /// Result of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -291,15 +325,19 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     let cost = run.cost;
     Ok(Answer {
         outcome: run.outcome,
-        results: [
-            depth_m,
-            time_s,
-            run.max_plate_displacement_m,
-            run.peak_contact_force_n,
-            run.residual_velocity_m_s.or_else(|| Some(run.separation?.velocity_m_s)),
-            run.exit_time_s.or_else(|| Some(run.separation?.t_s)),
-            quantities::find("peak_mount_force_n").and_then(|force| force.value(run)),
-        ],
+        results: Results::new(|of| match of {
+            Compared::Depth => depth_m,
+            Compared::Time => time_s,
+            Compared::Displacement => run.max_plate_displacement_m,
+            Compared::Force => run.peak_contact_force_n,
+            Compared::LastVelocity => {
+                run.residual_velocity_m_s.or_else(|| Some(run.separation?.velocity_m_s))
+            }
+            Compared::LastTime => run.exit_time_s.or_else(|| Some(run.separation?.t_s)),
+            Compared::MountForce => {
+                quantities::find("peak_mount_force_n").and_then(|force| force.value(run))
+            }
+        }),
         steps: cost.steps,
         rejected: cost.rejected,
         evaluations: cost.rhs_evaluations,
@@ -312,8 +350,9 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     let end = end.ok_or(Refusal::NeedsSimulation)?;
     let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
     let is_final = end.arrested && scene.interface.law == InterfaceLaw::Fused;
-    let mut results = [None; RESULTS.len()];
-    (results[0], results[1]) = (is_final.then_some(end.penetration_m), Some(end.t_s));
+    let mut results = Results::default();
+    results.set(Compared::Depth, is_final.then_some(end.penetration_m));
+    results.set(Compared::Time, Some(end.t_s));
     Ok(Answer { outcome, results, steps: end.steps, rejected: 0, evaluations: end.steps })
 }
 
@@ -334,7 +373,7 @@ pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
     }
     let mut answer = answer_of(&run)?;
     // The listing prints the time at the start of its last step.
-    answer.results[1] = Some(answer.steps as f64 * dt_s);
+    answer.results.set(Compared::Time, Some(answer.steps as f64 * dt_s));
     Ok(answer)
 }
 

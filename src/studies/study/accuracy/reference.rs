@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use crate::study::accuracy::method::{Answer, RESULTS, Results, answer_of, printed};
+use crate::study::accuracy::method::{Answer, Compared, Results, answer_of, printed};
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
 use cmra_engine::model::reference::Stored;
@@ -86,25 +86,33 @@ impl Reference {
     /// Returns the relative errors of results; that of the last velocity is relative to the impact velocity.
     pub fn errors(&self, scene: &Scene, results: &Results) -> Results {
         let shot = &scene.projectile;
-        let least = [0.0, 0.0, NO_LENGTH * shot.tip_radius_m, 0.0, shot.velocity_m_s, 0.0, 0.0];
-        std::array::from_fn(|at| {
-            let (own, right) = (results[at]?, self.results[at]?);
-            let scale = larger(right.abs(), larger(least[at], f64::MIN_POSITIVE));
+        let least = |of| match of {
+            Compared::Displacement => NO_LENGTH * shot.tip_radius_m,
+            Compared::LastVelocity => shot.velocity_m_s,
+            Compared::Depth
+            | Compared::Time
+            | Compared::Force
+            | Compared::LastTime
+            | Compared::MountForce => 0.0,
+        };
+        Results::new(|of| {
+            let (own, right) = (results.get(of)?, self.results.get(of)?);
+            let scale = larger(right.abs(), larger(least(of), f64::MIN_POSITIVE));
             Some((own - right).abs() / scale)
         })
     }
 
     /// Returns the largest error of all results; NaN if a result exists only here or only in the reference.
     pub fn error_of_all(&self, scene: &Scene, results: &Results) -> f64 {
-        if results.map(|own| own.is_some()) != self.results.map(|right| right.is_some()) {
+        if results.exist() != self.results.exist() {
             return f64::NAN;
         }
-        self.errors(scene, results).into_iter().flatten().fold(0.0, larger)
+        self.errors(scene, results).known().map(|it| it.1).fold(0.0, larger)
     }
 
     /// Returns the time of first arrest or exit, s.
     pub fn end_s(&self) -> f64 {
-        self.results[1].unwrap_or(f64::NAN)
+        self.results.get(Compared::Time).unwrap_or(f64::NAN)
     }
 }
 
@@ -136,7 +144,8 @@ impl References {
         };
         let apart = both.engine.zip(both.other).and_then(|(one, other)| {
             let errors = one.errors(scene, &other.results);
-            let worst = errors[..2].iter().flatten().copied().fold(f64::EPSILON, larger);
+            let of_end = [Compared::Depth, Compared::Time].map(|of| errors.get(of));
+            let worst = of_end.into_iter().flatten().fold(f64::EPSILON, larger);
             (one.outcome == other.outcome).then_some(worst)
         });
         let stored = stored(scene);
@@ -146,8 +155,8 @@ impl References {
                 reference.basis = ReferenceSource::Stored(row.name);
                 reference.outcome = row.outcome;
                 let is_arrested = row.outcome == Outcome::Arrested;
-                reference.results[0] = is_arrested.then_some(row.depth_m);
-                reference.results[1] = Some(row.t_s);
+                reference.results.set(Compared::Depth, is_arrested.then_some(row.depth_m));
+                reference.results.set(Compared::Time, Some(row.t_s));
                 reference.uncertainty = Some(*uncertainty);
             }
         }
@@ -180,12 +189,12 @@ pub(in crate::study) fn stored(scene: &Scene) -> Option<(Stored, f64)> {
 
 /// Returns the limit of the printed scheme for a vanishing step size, by extrapolation from two small step sizes of a first-order scheme.
 pub(super) fn printed_limit(scene: &Scene, end_s: f64) -> Option<Reference> {
-    let by = |steps: f64| printed(scene, end_s / steps).ok()?.results[0];
+    let by = |steps: f64| printed(scene, end_s / steps).ok()?.results.get(Compared::Depth);
     let (coarse_m, fine_m) = (by(PRINTED_STEPS)?, by(2.0 * PRINTED_STEPS)?);
     let depth_m = 2.0 * fine_m - coarse_m;
-    let mut results = [None; RESULTS.len()];
+    let mut results = Results::default();
     // The scheme ends at the end of a step: the time has an error of the order of the step size.
-    results[0] = Some(depth_m);
+    results.set(Compared::Depth, Some(depth_m));
     Some(Reference {
         basis: ReferenceSource::OwnLimit,
         outcome: Outcome::Arrested,

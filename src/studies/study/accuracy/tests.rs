@@ -54,14 +54,18 @@ fn whole_runs_are_compared_in_every_result_they_have() {
         let methods = compared(pairs, SettingGrid::Quick);
         for letter in ['A', 'N', 'D', 'I', 'E'] {
             let (_, finest) = methods[&letter].measured().next_back().unwrap();
-            assert_eq!(finest.errors.map(|error| error.is_some()), results, "{pairs}: {letter}");
+            assert_eq!(finest.errors.exist(), results, "{pairs}: {letter}");
             let within = if letter == 'E' { 1e-6 } else { 1e-9 };
             assert!(finest.error() < within, "{pairs}: {letter} {:?}", finest.errors);
-            assert!(finest.errors[6].is_none_or(|error| error < 1e-6), "{pairs}: {letter}");
+            assert!(
+                finest.errors.get(Compared::MountForce).is_none_or(|error| error < 1e-6),
+                "{pairs}: {letter}"
+            );
         }
         // The kernel knows nothing beyond the contact.
         for (_, contact) in methods[&'L'].measured() {
-            assert_eq!(contact.errors[2..], [None; 5]);
+            let is_of_contact = |of| matches!(of, Compared::Depth | Compared::Time);
+            assert!(contact.errors.known().all(|(of, _)| is_of_contact(of)), "{pairs}");
         }
     }
 }
@@ -141,10 +145,14 @@ fn a_tolerance_that_takes_too_many_evaluations_is_the_last_of_its_method() {
 /// A report of points with a tolerance, an error and a run time each.
 fn made_up(points: &[(f64, f64, f64)]) -> MethodReport {
     let point = |(tolerance, depth_error, min_s): &(f64, f64, f64)| {
-        let errors = [Some(*depth_error), Some(0.0), None, None, None, None, None];
+        let errors = Results::new(|of| match of {
+            Compared::Depth => Some(*depth_error),
+            Compared::Time => Some(0.0),
+            _ => None,
+        });
         let answer = Answer {
             outcome: Outcome::Arrested,
-            results: errors.map(|error| error.map(|_| 1.0)),
+            results: Results::new(|of| errors.get(of).map(|_| 1.0)),
             steps: 1,
             rejected: 0,
             evaluations: 1,

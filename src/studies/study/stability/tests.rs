@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::*;
+use crate::study::accuracy::Compared;
 use crate::study::context::CancelFlag;
 use crate::study::plain_run;
 use cmra_engine::model::run::{Outcome, RunSnapshot};
@@ -33,12 +34,12 @@ fn every_result_of_a_row_is_judged() {
     let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     let right = References::from_scene(&scene, go_on).other.unwrap();
     assert_eq!(shortfall(&run, error_of(&run, &right)), None);
-    for at in 0..right.results.len() {
-        for wrong in [right.results[at].map(|result| result * (1.0 + 1e-6)), None] {
+    for at in Compared::ALL {
+        for wrong in [right.results.get(at).map(|result| result * (1.0 + 1e-6)), None] {
             let mut other = right;
-            other.results[at] = wrong;
+            other.results.set(at, wrong);
             let short = shortfall(&run, error_of(&run, &other));
-            assert_eq!(short, Some(FailureReason::Error), "result {at}: {wrong:?}");
+            assert_eq!(short, Some(FailureReason::Error), "{at:?}: {wrong:?}");
         }
     }
 }

@@ -14,7 +14,7 @@ use cmra_studies::report::accuracy::{
     self, TARGETS, advice, error_over_time, gain, printed_scheme, seconds,
 };
 use cmra_studies::study::accuracy::method::Method;
-use cmra_studies::study::accuracy::{ComparisonOptions, MethodReport, RESULTS};
+use cmra_studies::study::accuracy::{Compared, ComparisonOptions, MethodReport};
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
@@ -48,7 +48,7 @@ impl App {
             let words = reference.basis.label();
             let text = format!("reference {words}{}", sure.unwrap_or_default());
             parts.push(part(Severity::Note, text));
-            let ending = match reference.results[0] {
+            let ending = match reference.results.get(Compared::Depth) {
                 Some(depth_m) => format!("{} deep", engineering(depth_m, "m", 7)),
                 None => reference.outcome.word().to_owned(),
             };
@@ -93,10 +93,9 @@ impl App {
         if let Some((parameter, it)) = tab.example() {
             let floor = if it.is_at_floor() { " (floor)" } else { "" };
             add(Role::Text, format!("{parameter}: error {:.1e}{floor}", it.error()));
-            let errors = RESULTS.iter().zip(it.errors);
-            let errors: Vec<String> = errors
-                .filter_map(|((_, words), error)| Some(format!("{words} {:.0e}", error?)))
-                .collect();
+            let errors = it.errors.known();
+            let errors: Vec<String> =
+                errors.map(|(of, error)| format!("{} {error:.0e}", of.label())).collect();
             add(Role::Text, errors.join(", "));
         }
         let total = report.points.len();
