@@ -40,11 +40,11 @@ pub(crate) fn map(map: &Map<'_>, (width, height): Size) -> String {
         let unit = Unit::with_prefix(range.size(), map.unit);
         text += &key(levels, &unit, usize::from(width));
     }
-    if let Some((_, name)) = &map.contour {
-        let _ = writeln!(text, "  O {name}");
+    if let Some((_, mark)) = &map.contour {
+        let _ = writeln!(text, "  {mark}");
     }
-    for (letter, words) in &map.marks {
-        let _ = writeln!(text, "  {letter} {words}");
+    for mark in &map.marks {
+        let _ = writeln!(text, "  {mark}");
     }
     text
 }

@@ -5,13 +5,14 @@ use serde_json::{Map as Object, Value, json};
 
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
-use crate::report::map::{self, Cell, Tone};
+use crate::report::map::{self, Cell, MapMark, Tone};
 use crate::report::table::Table;
 use crate::report::table::listed;
 use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
 use crate::study::compare::{
-    Candidate, ComparisonReport, Entry, Hardware, SizedArmour, THINNEST_M, Verdict, is_equal,
+    Absence, Candidate, ComparisonReport, Entry, Hardware, SizedArmour, THINNEST_M, Verdict,
+    is_equal,
 };
 use crate::study::limit::RANGE_M_S;
 use crate::study::quantities::find;
@@ -23,7 +24,7 @@ use cmra_engine::model::scene::{PlateSize, Scene};
 use cmra_engine::model::units::{fixed_significant, significant, velocity};
 
 /// The meaning of the contour on a map.
-const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
+const LINE: (&str, &str) = ("line of 1", ": above 1 the armour is lighter than the solid plate");
 /// The limit of plate and spring together.
 const SURVIVES: &str = "if spring holds";
 /// The lines of a page, by their keys.
@@ -130,7 +131,7 @@ pub fn json(name: &str, report: &ComparisonReport) -> Value {
                 ("no_limit".to_owned(), entry.no_limit().into()),
                 (
                     "no_mass_efficiency".to_owned(),
-                    entry.sized.as_ref().err().map(|absence| absence.words).into(),
+                    entry.sized.as_ref().err().map(Absence::words).into(),
                 ),
             ]);
             Value::Object(object)
@@ -172,7 +173,7 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         .field(x.symbol(), |at| x.value(at.0))
         .field(y.symbol(), |at| y.value(at.1))
         .field("mass_efficiency", move |at| cell(at)?.ok())
-        .field("no_mass_efficiency", move |at| Some(cell(at)?.err()?.words))
+        .field("no_mass_efficiency", move |at| Some(cell(at)?.err()?.words()))
         .field("warnings", move |at| {
             let breaches = envelope::of_scene(&map.placed(at.0, at.1));
             let of_entries = library::warnings(map.scene());
@@ -188,8 +189,8 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
         None => Cell::Empty,
     };
     let absences = found.cells.iter().filter_map(|cell| (*cell)?.err());
-    let mut marks: Vec<(char, String)> =
-        absences.map(|absence| (absence.letter, absence.words.to_owned())).collect();
+    let mark = |it: Absence| MapMark { more: it.more, ..MapMark::new(it.letter, it.label) };
+    let mut marks: Vec<MapMark> = absences.map(mark).collect();
     marks.sort();
     marks.dedup();
     let levels = Levels::from_values(found.cells.iter().filter_map(|cell| (*cell)?.ok()))?;
@@ -197,7 +198,7 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
     let labels = std::iter::once(1.0).chain(bounds);
     let labels = labels.map(|bound| (bound, significant(bound, 3))).collect();
     Some(map::Map {
-        contour: Some((1.0, LINE.into())),
+        contour: Some((1.0, MapMark { more: LINE.1, ..MapMark::new('O', LINE.0) })),
         labels,
         marks,
         ..map_over("mass efficiency", found.x(), found.y(), Some(levels), cell)
@@ -303,7 +304,7 @@ pub fn verdict(report: &ComparisonReport) -> String {
         Verdict::Unknown => {
             // What is open, the caution says.
             let why = own.sized.as_ref().err().filter(|it| !it.is_open());
-            let why = why.map_or_else(String::new, |it| format!(": {}", it.words));
+            let why = why.map_or_else(String::new, |it| format!(": {}", it.words()));
             format!("{words} ({design}){why}")
         }
     }
@@ -369,7 +370,7 @@ fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
         Ok(sized) => sized,
         // The caution says why.
         Err(absence) if absence.is_open() => return None,
-        Err(absence) => return Some(format!("no mass efficiency: {}", absence.words)),
+        Err(absence) => return Some(format!("no mass efficiency: {}", absence.words())),
     };
     let density = sized.scene.target.density_kg_m3;
     let solid_m = sized.solid_areal_kg_m2 / density;

@@ -1,6 +1,7 @@
 //! Maps as plain data: a value or a letter at every point of a grid, bands of equal values, a contour.
 
 use std::borrow::Cow;
+use std::fmt;
 
 use crate::report::chart::Axis;
 use crate::report::chart::levels::Levels;
@@ -29,6 +30,38 @@ pub enum Cell {
     Empty,
 }
 
+/// Letter of a map, and what it means.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct MapMark {
+    /// The letter; a blank where the point is left blank.
+    pub letter: char,
+    /// Meaning in a few words.
+    pub label: Cow<'static, str>,
+    /// Rest of the meaning, from its punctuation mark on, for the printed page; may be empty.
+    pub more: &'static str,
+}
+
+impl MapMark {
+    /// Creates a mark whose label says all.
+    pub fn new(letter: char, label: impl Into<Cow<'static, str>>) -> Self {
+        Self { letter, label: label.into(), more: "" }
+    }
+
+    /// The whole meaning.
+    pub fn meaning(&self) -> String {
+        format!("{}{}", self.label, self.more)
+    }
+}
+
+impl fmt::Display for MapMark {
+    /// Formats letter and whole meaning.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // A blank is named.
+        let blank = if self.letter == ' ' { "blank: " } else { "" };
+        write!(f, "{} {blank}{}", self.letter, self.meaning())
+    }
+}
+
 /// A map. Points are spread evenly over both axes, from their lower to their upper bound.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Map<'a> {
@@ -47,13 +80,13 @@ pub struct Map<'a> {
     /// The bands of the values; `None` where there is no value.
     pub levels: Option<Levels>,
     /// A contour at this value, and what it means.
-    pub contour: Option<(f64, Cow<'a, str>)>,
+    pub contour: Option<(f64, MapMark)>,
     /// Values with their texts, written where neighbouring values lie on both sides, those first that come first.
     pub labels: Vec<(f64, String)>,
     /// A point to be seen, and its letter.
     pub present: Option<((usize, usize), char)>,
     /// The meaning of the letters.
-    pub marks: Vec<(char, String)>,
+    pub marks: Vec<MapMark>,
     /// The point under the cursor.
     pub cursor: Option<(usize, usize)>,
     /// Whether it has the keys.

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
-use crate::report::map::{self, Tone};
+use crate::report::map::{self, MapMark, Tone};
 use crate::report::table::Table;
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
@@ -105,11 +105,10 @@ pub fn picture(found: &Map) -> map::Map<'static> {
         map::Cell::Mark(cell.shade(), tone(cell))
     };
     let named = Cell::ALL.into_iter().filter(|cell| *cell != Cell::Waiting);
-    // A blank is named.
-    let blank = |cell: Cell| if cell.shade() == ' ' { "blank: " } else { "" };
-    let mark = |cell: Cell| (cell.shade(), blank(cell).to_owned() + cell.words());
-    let mut marks: Vec<(char, String)> = named.map(mark).collect();
-    marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
+    let mark =
+        |cell: Cell| MapMark { more: cell.more(), ..MapMark::new(cell.shade(), cell.label()) };
+    let mut marks: Vec<MapMark> = named.map(mark).collect();
+    marks.push(MapMark::new('+', "the scene with dt = 1e-6 s"));
     map::Map {
         present: found.present_at().map(|at| (at, '+')),
         marks,

@@ -180,9 +180,9 @@ impl ComparisonReport {
     /// Warns of an undecided mass efficiency, or of limits that measurements contradict; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
         let own = self.entry(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
-        own.filter(|absence| absence.is_open()).map(|absence| absence.words.to_owned()).or_else(
-            || self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.run.scene)),
-        )
+        own.filter(|absence| absence.is_open()).map(|absence| absence.words()).or_else(|| {
+            self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.run.scene))
+        })
     }
 
     /// Whether the mechanism pays.

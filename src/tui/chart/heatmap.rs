@@ -228,6 +228,7 @@ fn over(buffer: &mut Buffer, at: Position, symbol: char) {
 mod tests {
     use super::super::{Axis, Levels, ViewRange};
     use super::*;
+    use cmra_studies::report::map::MapMark;
 
     #[test]
     fn no_contour_runs_between_values_equal_within_rounding() {
@@ -235,7 +236,7 @@ mod tests {
         let axis = Axis::new("x", ViewRange::new(0.0, 10.0));
         let levels = Levels::from_values([0.0, 110.0]);
         let map = Map {
-            contour: Some((100.0 + 3e-14, "".into())),
+            contour: Some((100.0 + 3e-14, MapMark::new('O', ""))),
             ..Map::new("flat", (axis.clone(), axis), (11, 6), levels, flat)
         };
         let text = map.to_lines(29, 10, Theme::PLAIN).join("\n");

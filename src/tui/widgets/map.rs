@@ -8,16 +8,17 @@ use crate::tui::theme::Role;
 use crate::tui::widgets::text::columns;
 use crate::tui::widgets::{Canvas, split_bottom};
 use cmra_engine::model::units::significant;
-use cmra_studies::report::map::{Cell, Map};
+use cmra_studies::report::map::{Cell, Map, MapMark};
 
 /// Part of the rows that words below a map may take.
 const WORDS: u16 = 10;
 
-/// A letter and what it means; what stands behind a colon or in parentheses is for the printed page.
-fn named(letter: char, words: &str) -> String {
-    let words = words.strip_prefix("blank: ").unwrap_or(words);
-    let words = words.split([':', '(']).next().unwrap_or_default().trim();
-    if letter == ' ' { format!("blank {words}") } else { format!("{letter} {words}") }
+/// A letter and what it means in a few words.
+fn named(mark: &MapMark) -> String {
+    match mark.letter {
+        ' ' => format!("blank {}", mark.label),
+        letter => format!("{letter} {}", mark.label),
+    }
 }
 
 impl Canvas<'_> {
@@ -28,9 +29,9 @@ impl Canvas<'_> {
             marks.any(|cell| matches!(cell, Cell::Mark(mark, _) if *mark == letter))
                 || map.present.is_some_and(|it| it.1 == letter)
         };
-        let marks = map.marks.iter().filter(|(letter, _)| is_drawn(*letter));
+        let marks = map.marks.iter().filter(|mark| is_drawn(mark.letter));
         let mut words: Vec<String> = Vec::new();
-        for text in marks.map(|(letter, words)| named(*letter, words)) {
+        for text in marks.map(named) {
             let room = usize::from(area.width).saturating_sub(3);
             match words.last_mut() {
                 Some(line) if line.len() + text.len() < room => {
@@ -57,7 +58,7 @@ impl Canvas<'_> {
         let Some(levels) = &map.levels else { return };
         let range = ViewRange::from_values(Scale::Linear, map.values()).unwrap_or_default();
         let unit = Unit::with_prefix(range.size(), map.unit);
-        let contour = map.contour.as_ref().map(|(_, name)| named('O', name));
+        let contour = map.contour.as_ref().map(|(_, mark)| named(mark));
         let unit_name =
             Some(&*unit.name).filter(|name| !name.is_empty()).map(|it| format!("{it}:"));
         let lead: Vec<String> = contour.into_iter().chain(unit_name).collect();

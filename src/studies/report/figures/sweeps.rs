@@ -3,7 +3,7 @@
 use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Chart, Curve};
 use crate::report::figures::{axis_of, map_over};
-use crate::report::map::{Cell, Map, Tone};
+use crate::report::map::{Cell, Map, MapMark, Tone};
 use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{self, Grid};
@@ -43,7 +43,7 @@ fn map(grid: &Grid, x: &sweep::Axis, y: &sweep::Axis, output: usize) -> Option<M
     let marks = marks(column, points(grid, output));
     let values = points(grid, output).filter_map(grid::Cell::value);
     let levels = Levels::from_values(values)?;
-    let marks = marks.into_iter().map(|(letter, _, words)| (letter, words.to_owned())).collect();
+    let marks = marks.into_iter().map(|(letter, _, label)| MapMark::new(letter, label)).collect();
     Some(Map { unit: column.unit(), marks, ..map_over(column.title(), x, y, Some(levels), at) })
 }
 

@@ -130,8 +130,8 @@ fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map<'_>, levels: Option<&Lev
     }
     y += 14.0;
     let mut notes: Vec<String> = Vec::new();
-    notes.extend(map.contour.iter().map(|(_, name)| format!("— {name}")));
-    notes.extend(map.marks.iter().map(|(letter, words)| format!("{letter} {words}")));
+    notes.extend(map.contour.iter().map(|(_, mark)| format!("— {}", mark.meaning())));
+    notes.extend(map.marks.iter().map(ToString::to_string));
     for note in notes {
         for line in textwrap::wrap(&note, NOTE_COLUMNS) {
             y += 13.0;
@@ -178,7 +178,7 @@ fn contour(plot: Plot<'_>, map: &Map<'_>, value: f64) -> String {
 mod tests {
     use super::*;
     use crate::report::chart::Scale;
-    use crate::report::map::Tone;
+    use crate::report::map::{MapMark, Tone};
     use crate::report::svg::{LEFT, Svg, WIDTH, file};
 
     #[test]
@@ -191,8 +191,8 @@ mod tests {
         let axis = |high| Axis::over("x", "m", Scale::Linear, [0.0, high]).unwrap();
         let axes = (axis(3.0), axis(2.0));
         let map = Map {
-            contour: Some((1.5, "line".into())),
-            marks: vec![('P', "perforated".to_owned())],
+            contour: Some((1.5, MapMark::new('O', "line"))),
+            marks: vec![MapMark::new('P', "perforated")],
             ..Map::new("map", axes, (4, 3), Levels::from_values([0.0, 3.0]), cell)
         };
         let text = file(&[map.svg()]);

@@ -24,8 +24,10 @@ pub const THINNEST_M: f64 = 5e-4;
 pub struct Absence {
     /// The letter that stands for it in maps.
     pub letter: char,
-    /// In words.
-    pub words: &'static str,
+    /// The reason in a few words.
+    pub label: &'static str,
+    /// Rest of the reason, from its punctuation mark on; may be empty.
+    pub more: &'static str,
 }
 
 impl Absence {
@@ -34,20 +36,28 @@ impl Absence {
     /// No thickness within a factor of a million of the solid plate's is enough.
     const NO_THICKNESS: Self = Self::new('T', "no thickness stops the shot");
     /// Every thickness of the numerical envelope is enough: of a preloaded mechanism, or a light plate of given face.
-    const EVERY_THICKNESS: Self = Self::new(
-        'T',
-        "even the thinnest plate within the model's range stops the shot: there is no least thickness",
-    );
+    const EVERY_THICKNESS: Self =
+        Self::new('T', "even the thinnest plate within the model's range stops the shot")
+            .with(": there is no least thickness");
     /// Runs of the plates just thick enough end undecided, however long they are followed.
-    const UNDECIDED: Self =
-        Self::new('?', "least thickness not decided: runs end before their outcome is known");
+    const UNDECIDED: Self = Self::new('?', "least thickness not decided")
+        .with(": runs end before their outcome is known");
     const STACK: Self =
-        Self::new('S', "a stack is compared with nothing: its mechanisms share one shot");
+        Self::new('S', "a stack is compared with nothing").with(": its mechanisms share one shot");
     const NOTHING_STOPS: Self = Self::new('U', "nothing stops plate and projectile");
     const NO_SPRING_MASS: Self = Self::new('M', "the spring's mass is not known");
 
-    const fn new(letter: char, words: &'static str) -> Self {
-        Self { letter, words }
+    const fn new(letter: char, label: &'static str) -> Self {
+        Self { letter, label, more: "" }
+    }
+
+    const fn with(self, more: &'static str) -> Self {
+        Self { more, ..self }
+    }
+
+    /// The whole reason.
+    pub fn words(&self) -> String {
+        format!("{}{}", self.label, self.more)
     }
 
     /// Whether it is the verdict that it leaves open, and not the armour that is missing.

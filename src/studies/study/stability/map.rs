@@ -89,22 +89,31 @@ enumeration! {
         /// Word in files.
         word: &'static str,
         /// Label in the legend.
-        words: &'static str,
+        label: &'static str,
+        /// Rest of the label on the printed page.
+        more: &'static str,
         /// Character on a map: the worse, the darker.
         shade: char,
     }
     /// Error of at most 1 %.
-    Accurate { word: "accurate", words: "accurate (1 %)", shade: ' ' }
+    Accurate { word: "accurate", label: "accurate", more: " (1 %)", shade: ' ' }
     /// Error above 1 %.
-    Inaccurate { word: "inaccurate", words: "inaccurate", shade: '.' }
+    Inaccurate { word: "inaccurate", label: "inaccurate", more: "", shade: '.' }
     /// Values grow without bound.
-    BlownUp { word: "blown up", words: "diverged", shade: '@' }
+    BlownUp { word: "blown up", label: "diverged", more: "", shade: '@' }
     /// The maximum number of steps is exceeded.
-    TooManySteps { word: "too many steps", words: "too many steps", shade: '~' }
+    TooManySteps { word: "too many steps", label: "too many steps", more: "", shade: '~' }
     /// There is no reference.
-    Unknown { word: "unknown", words: "nothing to compare with", shade: '?' }
+    Unknown { word: "unknown", label: "nothing to compare with", more: "", shade: '?' }
     /// Cell that is not computed yet.
-    Waiting { word: "not computed", words: "not computed", shade: '_' }
+    Waiting { word: "not computed", label: "not computed", more: "", shade: '_' }
+}
+
+impl Cell {
+    /// The whole label.
+    pub fn words(self) -> String {
+        format!("{}{}", self.label(), self.more())
+    }
 }
 
 /// Request for a stability map.

@@ -106,7 +106,7 @@ pub(super) fn readout(app: &App) -> Option<String> {
         values_at(map, at).map(|(axis, it)| format!("{} {}", axis.symbol(), axis.show(it, 4)));
     let words = match map.cell(at.0 as u64, at.1 as u64) {
         Some(Ok(value)) => format!("mass efficiency {}", fixed_significant(value, 4)),
-        Some(Err(absence)) => absence.words.to_owned(),
+        Some(Err(absence)) => absence.words(),
         None if app.jobs.running::<EfficiencyMapStudy>().is_some() => "not computed yet".to_owned(),
         None => app.keymap.shown("not computed yet: <run> computes the whole map"),
     };
