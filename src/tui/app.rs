@@ -79,6 +79,8 @@ pub struct App {
     /// This is the first start: a line says how to begin, until the first edit.
     pub first_run: bool,
     pub scene: Arc<Scene>,
+    /// An edit has changed the scene since the last message.
+    pub(crate) is_edited: bool,
     /// The preset it came from.
     pub base: ReferencePreset,
     /// Edits that can be undone.

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use crossterm::event::KeyEvent;
 
-use super::signals::LoopEvent;
+use super::event_loop::LoopEvent;
 use crate::tui::message::Message;
 
 /// Most equal keys that wait in a row: about 50 ms of work. A held key that has more of them waiting would go on after its release.

@@ -11,7 +11,7 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 use super::backlog;
 use super::effects::{self, IoThread};
 use super::frame_scheduler::FrameScheduler;
-use super::signals::{self, HUNG_UP, LoopEvent};
+use super::signals::{self, HUNG_UP};
 use super::start::environment;
 use super::terminal::{self, Guard};
 use super::{Options, input, start};
@@ -56,6 +56,22 @@ impl From<io::Error> for ExitReason {
 
 /// Goes on, unless there is a reason to leave.
 type LoopResult = Result<(), ExitReason>;
+
+/// Message to the event loop.
+pub(super) enum LoopEvent {
+    Message(Message),
+    Mouse(MouseEvent),
+    /// The last frame has arrived at the terminal.
+    Arrived,
+    /// A signal, or the terminal is gone: leave with this exit status.
+    End(u8),
+    /// Stop the process (`kill -TSTP`).
+    Stop,
+    /// The terminal has another size.
+    Resized,
+    /// The process was stopped and goes on: take the terminal over again.
+    Continued,
+}
 
 /// Everything the loop has at hand.
 pub(super) struct EventLoop {

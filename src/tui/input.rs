@@ -8,7 +8,8 @@ use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::signals::{HUNG_UP, LoopEvent};
+use super::event_loop::LoopEvent;
+use super::signals::HUNG_UP;
 use super::terminal;
 use super::terminal::decode::{Decoder, Input};
 use crate::tui::message::Message;

@@ -7,15 +7,14 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
-use crossterm::event::MouseEvent;
 use signal_hook::consts::{
     SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2,
     SIGVTALRM, SIGWINCH, SIGXCPU,
 };
 use signal_hook::iterator::Signals;
 
+use super::event_loop::LoopEvent;
 use super::terminal;
-use crate::tui::message::Message;
 
 /// The signals that end a process by default and that it can handle: each would leave the terminal as it is.
 const ENDING: [i32; 10] =
@@ -25,22 +24,6 @@ const ENDING: [i32; 10] =
 const PATIENCE: Duration = Duration::from_millis(600);
 const DISCARD_EVERY: Duration = Duration::from_millis(50);
 const DISCARDS: u32 = 12;
-
-/// Message to the event loop.
-pub(super) enum LoopEvent {
-    Message(Message),
-    Mouse(MouseEvent),
-    /// The last frame has arrived at the terminal.
-    Arrived,
-    /// A signal, or the terminal is gone: leave with this exit status.
-    End(u8),
-    /// Stop the process (`kill -TSTP`).
-    Stop,
-    /// The terminal has another size.
-    Resized,
-    /// The process was stopped and goes on: take the terminal over again.
-    Continued,
-}
 
 /// The exit status where the terminal is gone, whether a signal said so or not.
 pub(super) const HUNG_UP: u8 = 128 + 1;

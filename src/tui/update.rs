@@ -31,17 +31,17 @@ pub fn start(app: &mut App) -> Vec<Effect> {
 
 /// Change the state by a message; gives what the outside is to do.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
-    let before = (Arc::clone(&app.scene), app.picture());
+    let picture = app.picture();
     let is_by_person = matches!(
         message,
         Message::Key(_) | Message::Paste(_) | Message::Click(_) | Message::Wheel(..)
     );
     take(app, message);
-    let is_edited = app.scene != before.0;
+    let is_edited = std::mem::take(&mut app.is_edited);
     if is_edited {
         jobs::after_edit(app);
     }
-    if is_edited || app.picture() != before.1 {
+    if is_edited || app.picture() != picture {
         pages::page(app.tab).edited(app);
     }
     run::follow_traces(app);

@@ -128,13 +128,15 @@ pub(crate) fn opened(app: &mut App, before: Snapshot, label: String) {
 }
 
 fn commit(app: &mut App, before: Snapshot, label: String, stepping: Option<usize>) {
+    let old = Arc::clone(&before.scene);
     note(app, before, label, stepping);
     app.first_run = false;
-    follow(app);
+    follow(app, &old);
 }
 
 /// Updates after a change of the scene.
-fn follow(app: &mut App) {
+fn follow(app: &mut App, before: &Scene) {
+    app.is_edited |= *app.scene != *before;
     if app.pages.run.editor.filter.is_empty() && !app.pages.run.editor.shows(&app.scene) {
         // The variable means nothing any more: the nearest one in the list is selected.
         let away = |index: &usize| index.abs_diff(app.pages.run.editor.selected);
@@ -161,7 +163,7 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     if (&from.scene, &from.base) != (&to.scene, &to.base) {
         app.keep_before(&from.scene);
         (app.scene, app.base) = (to.scene, to.base);
-        follow(app);
+        follow(app, &from.scene);
     }
     if from.search != to.search {
         app.pages.search.setup = to.search;
