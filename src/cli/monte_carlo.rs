@@ -10,20 +10,23 @@ use crate::cli::study::{Random, StudyArguments};
 use crate::cli::text::width;
 use crate::cli::value_parsers::{deviation, part};
 use cmra_engine::model::scene::Scene;
-use cmra_studies::report::monte_carlo::{self, perforation, table};
+use cmra_studies::report::monte_carlo::{self, drawn_again, perforation, table};
 use cmra_studies::report::verdict::sentence;
 use cmra_studies::study::context::Reach;
-use cmra_studies::study::monte_carlo::{LIMIT, MonteCarloReport, Request, Tolerance, run as study};
+use cmra_studies::study::monte_carlo::{
+    DEFAULT_DEVIATION, DEFAULT_LIMIT_SAMPLES, DEFAULT_SAMPLES, LIMIT, MonteCarloReport, Request,
+    SAMPLES, Tolerance, run as study,
+};
 use cmra_studies::study::quantities::{Quantity, named};
 use cmra_studies::study::sweep::PointOutcome;
 use cmra_studies::study::verdict::Verdict;
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "DISTRIBUTION is normal:WIDTH or lognormal:WIDTH, a standard deviation about the scene's own value, or uniform:LO..HI; WIDTH \
+    after_help = format!("DISTRIBUTION is normal:WIDTH or lognormal:WIDTH, a standard deviation about the scene's own value, or uniform:LO..HI; WIDTH \
     is a percentage of that value, or has a unit: normal:2%, normal:0.1mm. \
     A draw outside the allowed range is repeated, which truncates the distribution; the page reports how often.\n\
-    Memory: eight bytes for each sample and result; at most 10 million samples."
+    Memory: eight bytes for each sample and result; at most {} million samples.", SAMPLES.end() / 1_000_000)
 )]
 pub(super) struct MonteCarloArguments {
     /// An input and how it scatters; may be repeated.
@@ -31,15 +34,15 @@ pub(super) struct MonteCarloArguments {
         long,
         value_name = "NAME=DISTRIBUTION",
         allow_hyphen_values = true,
-        help = "An input and its distribution: v_i=normal:2%, h=uniform:24mm..27mm; may be repeated [default: velocity, masses, \
-                lengths, strength, density, drag, spring and damper, each lognormal by 2 %]"
+        help = format!("An input and its distribution: v_i=normal:2%, h=uniform:24mm..27mm; may be repeated [default: velocity, masses, \
+                lengths, strength, density, drag, spring and damper, each lognormal by {} %]", 100.0 * DEFAULT_DEVIATION)
     )]
     vary: Vec<String>,
     /// Quantities, separated by commas [default: all but those about the computation]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
-    /// Number of samples [default: 10000, or 200 where each takes a limit search]
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true)]
+    /// Number of samples.
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, help = format!("Number of samples [default: {DEFAULT_SAMPLES}, or {DEFAULT_LIMIT_SAMPLES} where each takes a limit search]"))]
     samples: Option<usize>,
     /// Mean ratio of model to measurement, minus 1 (-0.04 or -4%); corrects `limit_velocity_m_s` [default: that of
     /// the scene's class in `cmra validate`, else 0]
@@ -119,11 +122,8 @@ fn page(name: &str, report: &MonteCarloReport, (answer, reach): (&str, Reach)) -
     let mut page =
         format!("{name}: {} samples, seed {}{early}\n{answer}\n\n", report.samples, report.seed);
     for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
-        let again = match redrawn {
-            0 => String::new(),
-            count => format!("   truncated: {count} impossible samples drawn again"),
-        };
-        let _ = writeln!(page, "  {tolerance}{again}");
+        let again = drawn_again(*redrawn).map(|text| format!("   truncated: {text}"));
+        let _ = writeln!(page, "  {tolerance}{}", again.unwrap_or_default());
     }
     let _ = writeln!(page, "\n{}", report.outcomes);
     if let Some(perforation) = perforation(report) {

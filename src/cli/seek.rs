@@ -23,8 +23,13 @@ use cmra_studies::study::sweep::{Axis, Spacing};
     Exit status 1 when nothing reaches the goal."
 )]
 pub(super) struct SeekArguments {
-    /// The variable and its bounds; COUNT points of the scan [default: 65]
-    #[arg(long, value_name = "NAME=LO..HI[:COUNT][:log]", allow_hyphen_values = true)]
+    /// The variable and its bounds.
+    #[arg(
+        long,
+        value_name = "NAME=LO..HI[:COUNT][:log]",
+        allow_hyphen_values = true,
+        help = format!("The variable and its bounds; COUNT points of the scan [default: {DEFAULT_SCAN}]")
+    )]
     over: String,
     /// The quantity and the value it should have.
     #[arg(

@@ -13,6 +13,7 @@ use cmra_engine::model::scene::Scene;
 use cmra_studies::report::table::Table;
 use cmra_studies::report::table::texts;
 use cmra_studies::study::context::Context;
+use cmra_studies::study::monte_carlo::DEFAULT_SEED;
 use cmra_studies::study::parallel::cores;
 use cmra_studies::study::sweep::{Axis, COUNTS};
 
@@ -80,7 +81,7 @@ impl Threads {
 #[derive(Debug, Args)]
 pub(super) struct Random {
     /// Random seed: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = DEFAULT_SEED)]
     pub(super) seed: u64,
 }
 

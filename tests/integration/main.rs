@@ -17,6 +17,8 @@ mod estimate;
 #[cfg(test)]
 mod extremes;
 #[cfg(test)]
+mod facts;
+#[cfg(test)]
 mod files;
 #[cfg(test)]
 mod hostile;

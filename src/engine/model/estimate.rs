@@ -3,7 +3,8 @@
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
-use crate::model::run::{EstimateBasis, Outcome, Run};
+use crate::model::mechanism::Mechanism;
+use crate::model::run::{EstimateBasis, Outcome, Run, RunResult};
 use crate::numerics::larger;
 
 /// Rounding of a closed form, relative: a few units of the last place of each of its terms.
@@ -26,30 +27,22 @@ enum Scale {
     CockingDistance,
 }
 
-/// A result with an estimate of its own: its name among the quantities, what its rounding is relative to, and its value.
-type Estimated = (&'static str, Scale, fn(&Run) -> Option<f64>);
-
-/// All of them.
-#[rustfmt::skip]
-const ESTIMATED: [Estimated; 16] = [
-    ("first_arrest_penetration_m", Scale::Own, |run| Some(run.first_arrest?.penetration_m)),
-    ("first_arrest_time_s", Scale::Own, |run| Some(run.first_arrest?.t_s)),
-    ("first_arrest_plate_displacement_m", Scale::CockingDistance, |run| Some(run.first_arrest?.plate_displacement_m)),
-    ("first_arrest_plate_velocity_m_s", Scale::ImpactVelocity, |run| Some(run.first_arrest?.plate_velocity_m_s)),
-    ("final_penetration_m", Scale::Own, |run| run.final_penetration_m),
-    ("peak_contact_force_n", Scale::Own, |run| run.peak_contact_force_n),
-    ("max_plate_displacement_m", Scale::CockingDistance, |run| run.max_plate_displacement_m),
-    ("stroke_m", Scale::CockingDistance, Run::stroke_m),
-    ("residual_velocity_m_s", Scale::LimitVelocity, |run| run.residual_velocity_m_s),
-    ("exit_time_s", Scale::LimitVelocity, |run| run.exit_time_s),
-    ("separation_time_s", Scale::Own, |run| Some(run.separation?.t_s)),
-    ("separation_velocity_m_s", Scale::ImpactVelocity, |run| Some(run.separation?.velocity_m_s)),
-    ("interface_demand_ratio", Scale::Own, |run| run.interface_demand_ratio),
-    // On a rigid mount it is the contact force along the normal.
-    ("peak_mount_force_n", Scale::Own, |run| run.mechanism.peak_mount_n.or(run.peak_contact_force_n)),
-    ("stored_energy_j", Scale::Own, |run| run.mechanism.stored_j),
-    ("rotational_energy_j", Scale::Own, |run| run.mechanism.rotation_j),
-];
+/// The size that the rounding of a result is relative to.
+fn scale(of: RunResult) -> Scale {
+    match of {
+        RunResult::ArrestPlateDisplacement
+        | RunResult::MaxPlateDisplacement
+        | RunResult::Stroke => Scale::CockingDistance,
+        RunResult::ArrestPlateVelocity | RunResult::SeparationVelocity => Scale::ImpactVelocity,
+        RunResult::ResidualVelocity | RunResult::ExitTime => Scale::LimitVelocity,
+        RunResult::ArrestPenetration
+        | RunResult::ArrestTime
+        | RunResult::FinalPenetration
+        | RunResult::PeakContactForce
+        | RunResult::SeparationTime
+        | RunResult::InterfaceDemand => Scale::Own,
+    }
+}
 
 /// Sets a run's estimates from another computation of the same scene. They are infinite if the outcomes differ.
 pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
@@ -68,12 +61,15 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
         EstimateBasis::ClosedForm | EstimateBasis::OutcomeDiffers(_) => (1.0, ROUNDING),
     };
     let struck = run.scene.projectile.velocity_m_s;
-    run.error_estimates = ESTIMATED
-        .iter()
-        .filter_map(|(name, scale, get)| {
-            let value = |run: &Run| get(run).filter(|value| value.is_finite());
+    // Both computations creep alike.
+    let fastest = larger(struck, run.scene.closing_velocity_m_s());
+    let creep_m_s = Mechanism::from_scene(&run.scene).damper.creep_m_s(fastest);
+    run.error_estimates = RunResult::ALL
+        .into_iter()
+        .filter_map(|of| {
+            let value = |run: &Run| of.value(run).filter(|value| value.is_finite());
             let (value, other) = (value(run)?, value(second)?);
-            let rounding = match scale {
+            let rounding = match scale(of) {
                 Scale::Own => 0.0,
                 Scale::ImpactVelocity => ROUNDING * struck / value.abs(),
                 Scale::LimitVelocity => {
@@ -81,24 +77,24 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
                 }
                 Scale::CockingDistance => ROUNDING * run.scene.start_m().abs() / value.abs(),
             };
-            let interval_m = match *name {
-                "final_penetration_m" => {
+            let interval_m = match of {
+                RunResult::FinalPenetration => {
                     run.penetration_at_most_m.map_or(0.0, |most_m| most_m - value)
                 }
                 _ => 0.0,
             };
             let off = larger(factor * (value - other).abs(), interval_m);
-            Some((*name, relative(off, value, larger(floor, rounding))?))
+            Some((of.key(), relative(off, value, larger(floor, rounding))?))
         })
         .collect();
     // The depth of a perforation is the plate's own: what was computed is when it is reached.
     let main_result = match run.outcome {
-        Outcome::Perforated => "exit_time_s",
+        Outcome::Perforated => RunResult::ExitTime,
         Outcome::Arrested | Outcome::Separated | Outcome::Moving | Outcome::Unmeasured => {
-            "final_penetration_m"
+            RunResult::FinalPenetration
         }
     };
-    let found = run.error_estimates.iter().find(|error| error.0 == main_result);
+    let found = run.error_estimates.iter().find(|error| error.0 == main_result.key());
     run.error_estimate = found.map(|error| error.1);
     run.estimate_basis = found.map(|_| basis);
 }

@@ -12,9 +12,11 @@ use crate::numerics::larger;
 
 mod check;
 pub mod envelope;
+mod result;
 mod warning;
 
 pub use crate::model::stack::StackRun;
+pub use result::RunResult;
 pub use warning::{NotModelled, RunWarning, Warning};
 
 /// The output that a run delivers besides its results.

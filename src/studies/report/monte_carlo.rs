@@ -120,6 +120,11 @@ pub fn table<'c>(name: &'c str, report: &'c MonteCarloReport) -> Table<'c, &'c S
         .with("seed", "seed", "", |_| report.seed)
 }
 
+/// How many samples without physical sense were drawn again; `None` for none.
+pub fn drawn_again(count: usize) -> Option<String> {
+    (count > 0).then(|| format!("{count} impossible samples drawn again"))
+}
+
 /// How probable a perforation is, where that is known.
 pub fn perforation(report: &MonteCarloReport) -> Option<String> {
     let found = report.perforated?;

@@ -52,7 +52,7 @@ enumeration! {
     /// Projectile displacement since first contact.
     ProjectileDisplacement { title: "Projectile displacement", symbol: "s", unit: "m", source: Source::Time(|it| it.projectile_displacement_m) }
     /// Force on the mount over time.
-    MountForceOverTime { title: "Mount force", symbol: "F_mount", unit: "N", source: Source::Time(mount_force_n) }
+    MountForceOverTime { title: "Mount force", symbol: "F_mount", unit: "N", source: Source::Time(Sample::mount_force_n) }
     /// Acceleration of the projectile along its axis, negative while it is slowed down.
     Acceleration {
         title: "Projectile acceleration", symbol: "a", unit: "m/s2",
@@ -61,16 +61,12 @@ enumeration! {
     /// Force on the mount.
     MountForce {
         title: "Mount force over displacement", symbol: "F(x)", unit: "N",
-        source: Source::Displacement(mount_force_n)
+        source: Source::Displacement(Sample::mount_force_n)
     }
     /// Stiffness of springs and elastic stop.
     Stiffness { title: "Stiffness over displacement", symbol: "dF/dx", unit: "N/m", source: Source::Law(Law::stiffness) }
     /// The greatest stress of the springs over their yield strength.
     Stress { title: "Stress over yield strength", symbol: "stress/yield", unit: "", source: Source::Law(Law::stress) }
-}
-
-fn mount_force_n(sample: &Sample) -> f64 {
-    sample.spring_force_n + sample.damper_force_n + sample.stop_force_n
 }
 
 impl Channel {

@@ -2,17 +2,18 @@
 //!
 //! Inputs are independent and drawn by one seeded stream, so that no digit depends on the number of threads. A draw without
 //! physical sense is drawn again and counted: the distribution is the one requested, truncated to what is allowed. The values
-//! of a result are kept for its quantiles, eight bytes each: [`SAMPLES_MAX`] is the limit. Must not know files, screens or a
+//! of a result are kept for its quantiles, eight bytes each: [`SAMPLES`] is the limit. Must not know files, screens or a
 //! clock.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 
 use crate::study::context::Context;
 use crate::study::limit;
 use crate::study::option;
 use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities::{self, Needs, Quantity, find};
-use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, SweepError};
+use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, StudyError};
 use crate::study::verdict::Verdict;
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::{OwnMass, Scene, SpringKind};
@@ -23,8 +24,14 @@ pub use tolerance::{Distribution, Kind, Tolerance};
 
 mod tolerance;
 
-/// The most samples: some 80 MB a result.
-pub const SAMPLES_MAX: usize = 10_000_000;
+/// Numbers of samples that are accepted; the greatest takes some 80 MB a result.
+pub const SAMPLES: RangeInclusive<usize> = 2..=10_000_000;
+/// Samples if no number is given.
+pub const DEFAULT_SAMPLES: usize = 10_000;
+/// Samples if no number is given and each takes a limit search.
+pub const DEFAULT_LIMIT_SAMPLES: usize = 200;
+/// Seed if none is given.
+pub const DEFAULT_SEED: u64 = 1;
 /// Samples evaluated at once.
 const BATCH: usize = 2048;
 /// Draws of one sample before it is given up.
@@ -70,7 +77,7 @@ pub struct Request {
 impl Default for Request {
     fn default() -> Self {
         let (vary, outputs, samples) = (Vec::new(), Vec::new(), None);
-        Self { vary, outputs, samples, seed: 1, model_bias: None, model_spread: None }
+        Self { vary, outputs, samples, seed: DEFAULT_SEED, model_bias: None, model_spread: None }
     }
 }
 
@@ -113,7 +120,7 @@ impl Request {
     /// Number of samples.
     fn count(&self) -> usize {
         let is_searched = self.outputs.iter().any(|it| it.needs() == Needs::Limit);
-        self.samples.unwrap_or(if is_searched { 200 } else { 10_000 })
+        self.samples.unwrap_or(if is_searched { DEFAULT_LIMIT_SAMPLES } else { DEFAULT_SAMPLES })
     }
 
     /// The error of the model.
@@ -247,12 +254,12 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 /// Draw and evaluate.
 ///
 /// # Errors
-/// A [`SweepError`] when something about it is bad: then nothing has run; or when no draw makes sense.
+/// A [`StudyError`] when something about it is bad: then nothing has run; or when no draw makes sense.
 pub fn run(
     scene: &Scene,
     request: &Request,
     context: &mut Context<'_, MonteCarloReport>,
-) -> Result<MonteCarloReport, SweepError> {
+) -> Result<MonteCarloReport, StudyError> {
     let (tolerances, model) = (request.tolerances(scene), request.model(scene));
     let (wanted, seed) = (request.count(), request.seed);
     let space = space(scene, request, &tolerances)?;
@@ -325,26 +332,28 @@ fn by_limit(outcome: PointOutcome, v_m_s: f64, limit_m_s: Option<f64>) -> PointO
 }
 
 /// Where the samples are evaluated.
-fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<Plan, SweepError> {
+fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<Plan, StudyError> {
     if tolerances.is_empty() {
         let text = "nothing scatters: name an input, for example v_i=normal:2%";
-        return Err(SweepError(text.to_owned()));
+        return Err(StudyError::Samples(text.to_owned()));
     }
     let samples = request.count();
-    if !(2..=SAMPLES_MAX).contains(&samples) {
-        return Err(SweepError(format!(
-            "samples = {samples} is outside 2 to {SAMPLES_MAX}: 10000 is usual"
+    if !SAMPLES.contains(&samples) {
+        return Err(StudyError::Samples(format!(
+            "samples = {samples} is outside {} to {}: {DEFAULT_SAMPLES} is usual",
+            SAMPLES.start(),
+            SAMPLES.end()
         )));
     }
     for (at, tolerance) in tolerances.iter().enumerate() {
         if tolerances[..at].iter().any(|other| other.symbol() == tolerance.symbol()) {
             let symbol = tolerance.symbol();
             let text = format!("{symbol} scatters twice: give each input one distribution");
-            return Err(SweepError(text));
+            return Err(StudyError::Samples(text));
         }
     }
     let axes = tolerances.iter().map(|tolerance| tolerance.axis(scene));
-    let axes = axes.collect::<Result<Vec<Axis>, SweepError>>()?;
+    let axes = axes.collect::<Result<Vec<Axis>, StudyError>>()?;
     Plan::for_designs(scene, axes, &request.measures())
 }
 
@@ -354,7 +363,7 @@ fn sample(
     scene: &mut Scene,
     random: &mut Random,
     redrawn: &mut [usize],
-) -> Result<Vec<f64>, SweepError> {
+) -> Result<Vec<f64>, StudyError> {
     let mut last = String::new();
     for _ in 0..DRAWS_MAX {
         let mut values = Vec::with_capacity(tolerances.len());
@@ -375,7 +384,7 @@ fn sample(
             Err(error) => last = error.to_string(),
         }
     }
-    Err(SweepError(format!(
+    Err(StudyError::Samples(format!(
         "none of {DRAWS_MAX} draws makes physical sense, the last because {last}"
     )))
 }

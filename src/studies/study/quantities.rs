@@ -5,13 +5,13 @@
 //! costs: nothing is computed for a quantity that is not requested. Nothing here knows files or screens; the time a run took is
 //! measured by whoever ran it.
 
-use crate::study::error::SweepError;
+use crate::study::error::QuantityError;
 use crate::study::first_contact::FirstContact;
 use crate::study::load::{impulse_n_s, peak_n};
 use crate::study::measured::Key;
 use crate::study::verdict::Expected;
 use cmra_engine::model::mechanism::load;
-use cmra_engine::model::run::{Run, envelope};
+use cmra_engine::model::run::{Run, RunResult, envelope};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{self, Bare, Dimension, engineering};
 
@@ -83,6 +83,7 @@ pub(in crate::study) enum Search {
 enum Source {
     Scene(fn(&Scene) -> Option<f64>),
     Run(fn(&Run) -> Option<f64>),
+    Result(RunResult),
     /// From a run with its course in time.
     Course(fn(&Run) -> Option<f64>),
     /// From a search with many shots, which the study of that search makes.
@@ -139,7 +140,9 @@ const fn quantity(
         source,
         from_contact: match source {
             Source::Scene(_) => FromContact::Scene,
-            Source::Run(_) | Source::Course(_) | Source::Search(_) => FromContact::No,
+            Source::Run(_) | Source::Result(_) | Source::Course(_) | Source::Search(_) => {
+                FromContact::No
+            }
         },
         lower_bound: None,
         title: "",
@@ -147,6 +150,11 @@ const fn quantity(
         absence: "does not exist here",
         traits: &[],
     }
+}
+
+/// Quantity that is a result of a run with an error estimate of its own.
+const fn result(result: RunResult, kind: Dimension, meaning: &'static str) -> Quantity {
+    quantity(result.key(), kind, meaning, Source::Result(result))
 }
 
 /// The optional parts of a row.
@@ -181,6 +189,11 @@ use FromContact::{Displacement, End};
 use QuantityFlag::{
     CountsSprings, Estimate, OfComputation, OfHole, OfPerforation, OfStack, Percent, Whole,
 };
+use RunResult::{
+    ArrestPenetration, ArrestPlateDisplacement, ArrestPlateVelocity, ArrestTime, ExitTime,
+    FinalPenetration, InterfaceDemand, MaxPlateDisplacement, PeakContactForce, ResidualVelocity,
+    SeparationTime, SeparationVelocity, Stroke,
+};
 
 /// Why there is no displacement, and no percentage.
 const UNSTOPPED: &str = "nothing stops the plate";
@@ -197,15 +210,15 @@ const DESIGN_LIMIT: &str = "design_limit_m_s";
 /// Every quantity, in the order of files.
 #[rustfmt::skip]
 pub static QUANTITIES: &[Quantity] = &[
-    quantity("first_arrest_penetration_m", Length, "depth when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.penetration_m)))
+    result(ArrestPenetration, Length, "depth when projectile and plate first reach common velocity")
         .by_contact(End(|it| Some(it.arrest()?.penetration_m))).titled("depth at first stop"),
-    quantity("first_arrest_time_s", Time, "time at which projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.t_s)))
+    result(ArrestTime, Time, "time at which projectile and plate first reach common velocity")
         .by_contact(End(|it| Some(it.arrest()?.t_s))).titled("time at first stop"),
-    quantity("first_arrest_plate_displacement_m", Length, "plate displacement when projectile and plate first reach common velocity", Source::Run(|run| Some(run.first_arrest?.plate_displacement_m)))
+    result(ArrestPlateDisplacement, Length, "plate displacement when projectile and plate first reach common velocity")
         .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))).titled("plate displacement at first stop"),
-    quantity("first_arrest_plate_velocity_m_s", Velocity, "the first common velocity of projectile and plate", Source::Run(|run| Some(run.first_arrest?.plate_velocity_m_s)))
+    result(ArrestPlateVelocity, Velocity, "the first common velocity of projectile and plate")
         .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))).titled("common velocity at first stop"),
-    quantity("final_penetration_m", Length, "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
+    quantity(FinalPenetration.key(), Length, "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
         .at_least(|run| run.at_least.penetration_m).titled("final depth").short("depth").is(&[OfStack, OfHole]),
     quantity("percent_of_baseline", Number, "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
@@ -214,20 +227,20 @@ pub static QUANTITIES: &[Quantity] = &[
         .titled("% of rigid-mount depth").short("% of rigid mount").absent(NO_BASELINE).is(&[OfHole, Percent]),
     quantity("baseline_penetration_m", Length, "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
         .by_contact(End(|it| it.baseline_m)).titled("depth on a rigid mount").absent(NO_BASELINE),
-    quantity("peak_contact_force_n", Force, "greatest contact force while penetrating", Source::Run(|run| run.peak_contact_force_n)).short("contact"),
-    quantity("max_plate_displacement_m", Length, "greatest plate displacement", Source::Run(|run| run.max_plate_displacement_m))
+    result(PeakContactForce, Force, "greatest contact force while penetrating").short("contact"),
+    result(MaxPlateDisplacement, Length, "greatest plate displacement")
         .by_contact(Displacement(|it, _| it.max_displacement_m))
         .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
-    quantity("stroke_m", Length, "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral", Source::Run(Run::stroke_m))
+    result(Stroke, Length, "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral")
         .by_contact(Displacement(|it, _| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),
-    quantity("residual_velocity_m_s", Velocity, "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).is(&[OfPerforation, OfStack]),
-    quantity("exit_time_s", Time, "when the nose was clear of the rear face", Source::Run(|run| run.exit_time_s)).is(&[OfPerforation]),
-    quantity("separation_time_s", Time, "when the projectile left through the entry face", Source::Run(|run| Some(run.separation?.t_s))),
-    quantity("separation_velocity_m_s", Velocity, "projectile velocity when it left through the entry face", Source::Run(|run| Some(run.separation?.velocity_m_s))),
+    quantity(ResidualVelocity.key(), Velocity, "projectile velocity after perforation; of a stack, behind its base plate", Source::Run(Run::shot_residual_m_s)).is(&[OfPerforation, OfStack]),
+    result(ExitTime, Time, "when the nose was clear of the rear face").is(&[OfPerforation]),
+    result(SeparationTime, Time, "when the projectile left through the entry face"),
+    result(SeparationVelocity, Velocity, "projectile velocity when it left through the entry face"),
     quantity("plate_velocity_after_m_s", Velocity, "plate velocity when projectile and plate part: as the nose is clear of the rear face, or leaves through the entry face", Source::Run(|run| run.plate_velocity_after_m_s)).titled("plate velocity after parting").short("plate after").absent("they do not part"),
     quantity("max_plate_displacement_time_s", Time, "when the plate comes to its greatest displacement", Source::Course(Run::max_displacement_time_s)).absent(UNSTOPPED),
-    quantity("interface_demand_ratio", Number, "greatest compression the fused interface carried, over its strength A S_y", Source::Run(|run| run.interface_demand_ratio)).titled("interface push over strength").short("push"),
+    result(InterfaceDemand, Number, "greatest compression the fused interface carried, over its strength A S_y").titled("interface push over strength").short("push"),
     quantity("interface_tension_ratio", Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(UNBOUNDED_RATIO)))).titled("interface pull over strength").short("pull"),
     quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).is(&[OfComputation, OfStack]),
     quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(|run| run.error_estimate)).is(&[OfComputation, OfStack, Estimate]),
@@ -300,7 +313,7 @@ impl Quantity {
     pub fn needs(&self) -> Needs {
         match self.source {
             Source::Scene(_) => Needs::Scene,
-            Source::Run(_) => Needs::Run,
+            Source::Run(_) | Source::Result(_) => Needs::Run,
             Source::Course(_) => Needs::Course,
             Source::Search(_) => Needs::Limit,
         }
@@ -357,6 +370,7 @@ impl Quantity {
         let own = || match self.source {
             Source::Scene(get) => get(&run.scene),
             Source::Run(get) | Source::Course(get) => get(run),
+            Source::Result(result) => result.value(run),
             Source::Search(_) => None,
         };
         let has = self.has(OfStack) || run.stack.is_none();
@@ -364,14 +378,11 @@ impl Quantity {
     }
 
     /// Checks that the quantity exists for the scene; a stack lacks some quantities.
-    pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), SweepError> {
+    pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), QuantityError> {
         if self.has(OfStack) || !scene.is_stack() {
             return Ok(());
         }
-        Err(SweepError(format!(
-            "{}: a stack has none; take {OF_STACKS}, for example",
-            self.title()
-        )))
+        Err(QuantityError::NotOfStacks { title: self.title(), instead: OF_STACKS })
     }
 
     /// Returns the value for a shot that the first contact decides.

@@ -24,6 +24,7 @@ use crate::tui::widgets::form::{Form, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::value_steps::Input;
 use crate::worker::studies::SearchRequest;
+use cmra_studies::study::monte_carlo::SAMPLES;
 use cmra_studies::study::quantities::{Needs, named};
 use cmra_studies::study::search::front::SAMPLES as DESIGNS;
 use cmra_studies::study::search::seek::SCAN;
@@ -361,7 +362,7 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
             let why = || format!("`{text}` must be from 0.001 to 100 %");
             setup.percent = percent.ok_or_else(why)?;
         }
-        Row::Samples => setup.samples = whole(text, &(2..=1_000_000))?,
+        Row::Samples => setup.samples = whole(text, &SAMPLES)?,
         _ => {}
     }
     Ok(())

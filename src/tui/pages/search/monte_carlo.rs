@@ -7,7 +7,7 @@ use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::pages::search::study_page::{Answer, note, table_lines};
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
-use cmra_studies::report::monte_carlo::{perforation, table, warnings};
+use cmra_studies::report::monte_carlo::{drawn_again, perforation, table, warnings};
 use cmra_studies::study::monte_carlo::{
     DEFAULT_DEVIATION, MonteCarloReport, Request, Summary, default_tolerances,
 };
@@ -51,13 +51,8 @@ impl Answer for MonteCarloReport {
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
         let mut lines = Vec::new();
         lines.extend(perforation(self).map(note));
-        let again: usize = self.redrawn.iter().sum();
-        let again = if again > 0 {
-            format!("; {again} impossible samples drawn again")
-        } else {
-            String::new()
-        };
-        lines.push(note(format!("{}{again}", self.outcomes)));
+        let again = drawn_again(self.redrawn.iter().sum()).map(|text| format!("; {text}"));
+        lines.push(note(format!("{}{}", self.outcomes, again.unwrap_or_default())));
         let mut lines = broken(lines, width);
         let mut table = table("", self);
         table.rows.retain(|summary| summary.deviation.is_some());

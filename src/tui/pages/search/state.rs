@@ -8,6 +8,7 @@ use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 use cmra_engine::model::scene::SweepAxis;
+use cmra_studies::study::monte_carlo::{self, DEFAULT_DEVIATION, DEFAULT_SAMPLES};
 use cmra_studies::study::quantities;
 use cmra_studies::study::search::front::{self, Constraint, DEFAULT, SAMPLES};
 use cmra_studies::study::search::seek::{DEFAULT_SCAN, Goal, SCAN};
@@ -96,8 +97,8 @@ impl Default for Setup {
             designs: front.samples,
             affected: sensitivity::OUTPUT,
             output: "percent_of_baseline",
-            percent: 2.0,
-            samples: 10_000,
+            percent: 100.0 * DEFAULT_DEVIATION,
+            samples: DEFAULT_SAMPLES,
         }
     }
 }
@@ -148,7 +149,10 @@ impl Setup {
             affected: quantities::find(&kept.affected).map_or(usual.affected, |it| it.name),
             output: quantities::find(&kept.output).map_or(usual.output, |it| it.name),
             percent: kept.percent.unwrap_or(usual.percent).clamp(1e-3, 100.0),
-            samples: kept.samples.unwrap_or(usual.samples).clamp(2, 1_000_000),
+            samples: kept
+                .samples
+                .unwrap_or(usual.samples)
+                .clamp(*monte_carlo::SAMPLES.start(), *monte_carlo::SAMPLES.end()),
         }
     }
 }
