@@ -8,7 +8,7 @@ use crate::cli::{CliError, output};
 use crate::files::error::did_you_mean;
 use crate::tui::keymap::{GLOBAL_KEYS, KeyHelp, Keymap, PANE_KEYS};
 use crate::tui::pages::all_panes;
-use crate::tui::widgets::text::wrap;
+use cmra_studies::report::wrap::wrap;
 
 /// Pages of `cmra help`: name, subject, text. The page of keys is generated from the key bindings.
 #[rustfmt::skip]

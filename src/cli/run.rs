@@ -106,9 +106,7 @@ fn compute_by(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableErr
     let start = Instant::now();
     let mut run = simulate::simulate(scene, &settings, &mut observer)?;
     run.cost.took_s = Some(start.elapsed().as_secs_f64());
-    if run.end.is_complete() {
-        run.plastic = simulate::plastic_beside(scene, &mut observer).map(Arc::new);
-    }
+    simulate::add_plastic(&mut run, &mut observer);
     line.clear();
     Ok(run)
 }

@@ -3,7 +3,7 @@
 use std::io::{self, IsTerminal as _};
 
 use crate::cli::draw;
-use crate::tui::widgets::text::wrap;
+use cmra_studies::report::wrap::wrap;
 
 /// Columns of a page that is written to a file or a pipe.
 const DEFAULT_WIDTH: usize = 80;

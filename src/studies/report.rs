@@ -28,6 +28,7 @@ pub mod thesis;
 pub mod traces;
 pub mod validation;
 pub mod verdict;
+pub mod wrap;
 
 /// Words about a result.
 #[derive(Clone, Debug, PartialEq, Eq)]

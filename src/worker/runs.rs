@@ -34,7 +34,7 @@ pub(super) fn of_scene(
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
 ) -> Result<StudyResult, Box<dyn Error>> {
-    run(slot, scene, reporter, |settings, observer| {
+    run(slot, reporter, |settings, observer| {
         simulate::simulate(scene, settings, observer).map_err(|error| error.to_string())
     })
 }
@@ -42,7 +42,6 @@ pub(super) fn of_scene(
 /// Runs a scene. An observer, called before each step, sends partial results and stops a cancelled run.
 pub(super) fn run(
     slot: Slot,
-    scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
     compute: impl FnOnce(&Settings, simulate::Observer<'_>) -> Result<Run, String>,
 ) -> Result<StudyResult, Box<dyn Error>> {
@@ -70,14 +69,12 @@ pub(super) fn run(
     let took = reporter.elapsed();
     reporter.elapsed.set(Some(took));
     run.cost.took_s = Some(took.as_secs_f64());
-    if run.end.is_complete() {
-        let mut left = PLASTIC_STEPS;
-        let mut observer = |_: &RunSnapshot<'_>| {
-            left = left.saturating_sub(1);
-            if left == 0 { ControlFlow::Break(()) } else { reporter.check_cancelled() }
-        };
-        run.plastic = simulate::plastic_beside(scene, &mut observer).map(Arc::new);
-    }
+    let mut left = PLASTIC_STEPS;
+    let mut observer = |_: &RunSnapshot<'_>| {
+        left = left.saturating_sub(1);
+        if left == 0 { ControlFlow::Break(()) } else { reporter.check_cancelled() }
+    };
+    simulate::add_plastic(&mut run, &mut observer);
     Ok(run.into())
 }
 

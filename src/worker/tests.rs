@@ -50,7 +50,7 @@ fn slow_run(
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
 ) -> Result<StudyResult, Box<dyn Error>> {
-    run(slot, scene, reporter, |settings, observer| {
+    run(slot, reporter, |settings, observer| {
         let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
         let mut run = simulate::simulate(scene, settings, go_on).map_err(|it| it.to_string())?;
         assert!(scene.title != "panics", "deliberate");

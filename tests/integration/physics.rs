@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::support::assert_near;
 use cmra::files;
 use cmra_engine::model::reference::TABLE;
 use cmra_engine::model::run::{ContactMode, EndReason, EventKind, Outcome, Run, RunWarning};
@@ -25,15 +26,6 @@ fn run(pairs: &str) -> Run {
 /// A scene from `name=value` pairs; the spring is absent unless named.
 fn scene(pairs: &str) -> Scene {
     variables::changed_free_plate(&pairs.replace("base", "")).unwrap()
-}
-
-fn relative(value: f64, exact: f64) -> f64 {
-    (value / exact - 1.0).abs()
-}
-
-#[track_caller]
-fn assert_near(value: f64, exact: f64, tolerance: f64) {
-    assert!(relative(value, exact) <= tolerance, "{value} is not {exact} to {tolerance:e}");
 }
 
 fn depth(run: &Run) -> f64 {

@@ -69,9 +69,7 @@ fn withhold_perforation(run: &mut Run) {
 /// Refuses rows that do not follow each other in time.
 fn check_rows(settings: &Settings) -> Result<(), VariableError> {
     match settings.every_s.filter(|every_s| !(every_s.is_finite() && *every_s > 0.0)) {
-        Some(every_s) => Err(VariableError(format!(
-            "every_s = {every_s} s is no distance of rows: it must be a number greater than 0 s; omit it for the solver's own steps"
-        ))),
+        Some(every_s) => Err(VariableError::Rows { every_s: every_s.to_string() }),
         None => Ok(()),
     }
 }
@@ -81,7 +79,7 @@ const BESIDE_WORK_MAX: usize = WORK_MAX / 3;
 
 /// Runs the same shot with a plastic interface, without series and estimate, for comparison with a fused one. Returns `None` for a stack, a
 /// scene without interface or with the plastic law, and if the observer cancels.
-pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
+fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
     let is_fused = scene.interface.law == InterfaceLaw::Fused
         && scene.contact.model == ContactModel::Hydrodynamic
         && scene.is_sprung();
@@ -93,6 +91,13 @@ pub fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
     let settings = Settings { work_max: Some(BESIDE_WORK_MAX), ..Settings::BARE };
     let run = simulate(&Arc::new(plastic), &settings, observer).ok()?;
     (run.end != EndReason::Cancelled).then_some(run)
+}
+
+/// Adds to a complete run its results with a plastic interface, where there are any.
+pub fn add_plastic(run: &mut Run, observer: Observer<'_>) {
+    if run.end.is_complete() {
+        run.plastic = plastic_beside(&run.scene, observer).map(Arc::new);
+    }
 }
 
 /// A run without series and estimate, for tests.

@@ -14,12 +14,13 @@ pub(crate) mod prelude {
     pub(crate) use crate::tui::message::PageTable;
     pub(crate) use crate::tui::prelude::*;
     pub(crate) use crate::tui::preset::LabelledScene;
-    pub(crate) use crate::tui::widgets::text::{TextLine, clip, columns, wrap};
+    pub(crate) use crate::tui::widgets::text::{TextLine, clip, columns};
     pub(crate) use crate::tui::widgets::{RowList, Rows, split_bottom, split_left, split_top};
     pub(crate) use crate::worker::ReportBody;
     pub(crate) use crate::worker::studies::RequestVariant;
     pub(crate) use cmra_engine::model::scene::Scene;
     pub(crate) use cmra_engine::model::units::significant;
+    pub(crate) use cmra_studies::report::wrap::wrap;
     pub(crate) use cmra_studies::study::context::Reach;
 }
 

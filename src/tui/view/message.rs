@@ -4,7 +4,8 @@ use crate::tui::app::notice::StatusPart;
 use crate::tui::pages::{self, note};
 use crate::tui::prelude::*;
 use crate::tui::theme;
-use crate::tui::widgets::text::{clip, fitting, wrap};
+use crate::tui::widgets::text::{clip, fitting};
+use cmra_studies::report::wrap::wrap;
 
 const MESSAGE_LINES: usize = 4;
 /// How to begin, at the first start.

@@ -1,6 +1,7 @@
 //! Text in cells: how wide it is, how it is cut and wrapped.
 
 use crate::tui::theme::{self, Role};
+use cmra_studies::report::wrap::wrap;
 
 pub(crate) fn columns(text: &str) -> u16 {
     u16::try_from(theme::columns(text)).unwrap_or(u16::MAX)
@@ -86,14 +87,6 @@ pub(crate) fn shortened(title: &str) -> String {
 /// A result's title in a given number of columns: in shorter words where it is too long.
 pub(crate) fn fitted(title: &str, width: usize) -> String {
     if theme::columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
-}
-
-/// Lines of at most `width` columns, broken at blanks; a longer word is broken where it must be.
-pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
-    let options = textwrap::Options::new(width.max(1))
-        .word_separator(textwrap::WordSeparator::AsciiSpace)
-        .word_splitter(textwrap::WordSplitter::NoHyphenation);
-    textwrap::wrap(text, options).into_iter().map(Into::into).collect()
 }
 
 #[cfg(test)]

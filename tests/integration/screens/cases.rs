@@ -9,7 +9,7 @@ use cmra::tui::message::Message;
 use cmra::tui::theme::GlyphSet;
 use cmra_engine::model::run::{EstimateBasis, Run};
 use cmra_engine::model::scene::Scene;
-use cmra_engine::model::simulate::{RunSnapshot, Settings, plastic_beside, simulate};
+use cmra_engine::model::simulate::{RunSnapshot, Settings, add_plastic, simulate};
 use cmra_engine::model::variables::set_by_name;
 use insta::assert_snapshot;
 
@@ -19,7 +19,7 @@ use super::bench::{Bench, done};
 fn real(scene: &Arc<Scene>) -> Run {
     let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     let mut run = simulate(scene, &Settings::SERIES, go_on).expect("a valid scene");
-    run.plastic = plastic_beside(scene, go_on).map(Arc::new);
+    add_plastic(&mut run, go_on);
     // What depends on the method is not what these pictures are about.
     run.error_estimate = Some(4e-15);
     run.estimate_basis = Some(EstimateBasis::SecondComputation);
