@@ -3,7 +3,6 @@
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
-use crate::model::mechanism::Mechanism;
 use crate::model::run::{EstimateBasis, Outcome, Run, RunResult};
 use crate::numerics::larger;
 
@@ -40,7 +39,11 @@ fn scale(of: RunResult) -> Scale {
         | RunResult::FinalPenetration
         | RunResult::PeakContactForce
         | RunResult::SeparationTime
-        | RunResult::InterfaceDemand => Scale::Own,
+        | RunResult::InterfaceDemand
+        | RunResult::InterfaceTension
+        | RunResult::PeakMountForce
+        | RunResult::StoredEnergy
+        | RunResult::RotationalEnergy => Scale::Own,
     }
 }
 
@@ -61,9 +64,6 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
         EstimateBasis::ClosedForm | EstimateBasis::OutcomeDiffers(_) => (1.0, ROUNDING),
     };
     let struck = run.scene.projectile.velocity_m_s;
-    // Both computations creep alike.
-    let fastest = larger(struck, run.scene.closing_velocity_m_s());
-    let creep_m_s = Mechanism::from_scene(&run.scene).damper.creep_m_s(fastest);
     run.error_estimates = RunResult::ALL
         .into_iter()
         .filter_map(|of| {

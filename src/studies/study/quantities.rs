@@ -191,8 +191,9 @@ use QuantityFlag::{
 };
 use RunResult::{
     ArrestPenetration, ArrestPlateDisplacement, ArrestPlateVelocity, ArrestTime, ExitTime,
-    FinalPenetration, InterfaceDemand, MaxPlateDisplacement, PeakContactForce, ResidualVelocity,
-    SeparationTime, SeparationVelocity, Stroke,
+    FinalPenetration, InterfaceDemand, InterfaceTension, MaxPlateDisplacement, PeakContactForce,
+    PeakMountForce, ResidualVelocity, RotationalEnergy, SeparationTime, SeparationVelocity,
+    StoredEnergy, Stroke,
 };
 
 /// Why there is no displacement, and no percentage.
@@ -241,15 +242,15 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("plate_velocity_after_m_s", Velocity, "plate velocity when projectile and plate part: as the nose is clear of the rear face, or leaves through the entry face", Source::Run(|run| run.plate_velocity_after_m_s)).titled("plate velocity after parting").short("plate after").absent("they do not part"),
     quantity("max_plate_displacement_time_s", Time, "when the plate comes to its greatest displacement", Source::Course(Run::max_displacement_time_s)).absent(UNSTOPPED),
     result(InterfaceDemand, Number, "greatest compression the fused interface carried, over its strength A S_y").titled("interface push over strength").short("push"),
-    quantity("interface_tension_ratio", Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(UNBOUNDED_RATIO)))).titled("interface pull over strength").short("pull"),
+    quantity(InterfaceTension.key(), Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface_tension_ratio?.min(UNBOUNDED_RATIO)))).titled("interface pull over strength").short("pull"),
     quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).is(&[OfComputation, OfStack]),
     quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(|run| run.error_estimate)).is(&[OfComputation, OfStack, Estimate]),
-    quantity("stored_energy_j", Energy, "greatest energy stored in the springs", Source::Run(|run| run.mechanism.stored_j)),
+    result(StoredEnergy, Energy, "greatest energy stored in the springs"),
     quantity("yield_margin", Number, "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)),
     quantity("added_inertia_kg", Mass, "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
     quantity("spring_mass_kg", Mass, "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
-    quantity("rotational_energy_j", Energy, "greatest energy of the plate's rotation", Source::Run(|run| run.mechanism.rotation_j)),
-    quantity("peak_mount_force_n", Force, "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Run(peak_n))
+    result(RotationalEnergy, Energy, "greatest energy of the plate's rotation"),
+    quantity(PeakMountForce.key(), Force, "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Run(peak_n))
         .by_contact(Displacement(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::min_peak_n).short("mount force"),
     quantity("mount_impulse_n_s", Impulse, "impulse into the mount along the plate's normal, up to the greatest displacement", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()))),
     quantity("travel_margin", Number, "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
