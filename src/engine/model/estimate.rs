@@ -40,7 +40,6 @@ fn scale(of: RunResult) -> Scale {
         | RunResult::PeakContactForce
         | RunResult::SeparationTime
         | RunResult::InterfaceDemand
-        | RunResult::InterfaceTension
         | RunResult::PeakMountForce
         | RunResult::StoredEnergy
         | RunResult::RotationalEnergy => Scale::Own,

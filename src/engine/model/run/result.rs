@@ -19,7 +19,6 @@ labelled_enum! {
         SeparationTime = "separation_time_s",
         SeparationVelocity = "separation_velocity_m_s",
         InterfaceDemand = "interface_demand_ratio",
-        InterfaceTension = "interface_tension_ratio",
         PeakMountForce = "peak_mount_force_n",
         StoredEnergy = "stored_energy_j",
         RotationalEnergy = "rotational_energy_j",
@@ -43,7 +42,6 @@ impl RunResult {
             Self::SeparationTime => Some(run.separation?.t_s),
             Self::SeparationVelocity => Some(run.separation?.velocity_m_s),
             Self::InterfaceDemand => run.interface_demand_ratio,
-            Self::InterfaceTension => run.interface_tension_ratio,
             // On a rigid mount it is the contact force along the normal.
             Self::PeakMountForce => run.mechanism.peak_mount_n.or(run.peak_contact_force_n),
             Self::StoredEnergy => run.mechanism.stored_j,

@@ -5,7 +5,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::preset::ReferencePreset;
 use cmra_engine::model::scene::{ContactModel, SweepAxis};
 use cmra_studies::study::sweep::grid::{self, GRID_COUNTS, Grid};
-use cmra_studies::study::sweep::{Axis, Plan, StudyError};
+use cmra_studies::study::sweep::{Axis, Plan, Spacing, StudyError};
 
 /// Whether a preset is a figure of the thesis, drawn with the corrected physics.
 pub(crate) fn is_corrected_figure(base: &ReferencePreset) -> bool {
@@ -16,7 +16,7 @@ pub(crate) fn is_corrected_figure(base: &ReferencePreset) -> bool {
 const EXPONENTS: [f64; 5] = [0.2, 0.25, 0.3, 0.5, 1.0];
 
 /// The values of a second axis that curves are drawn for: those of a list, else a few over the range.
-fn family(second: &Axis) -> Result<Axis, SweepError> {
+fn family(second: &Axis) -> Result<Axis, StudyError> {
     let (name, (from, to)) = (second.symbol(), second.ends());
     let (low, high) = (from.min(to), from.max(to));
     let within = EXPONENTS.into_iter().filter(|value| (low..high).contains(value) && *value > low);
