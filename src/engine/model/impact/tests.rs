@@ -160,6 +160,17 @@ fn valid_a_plate_creeps_as_far_as_its_damper_lets_it() {
     }
 }
 
+/// k x^n is the greatest contact force, which is within a step: nothing of what holds the plate is its inertia here.
+#[test]
+fn valid_a_held_plate_is_farthest_where_the_contact_pushes_most() {
+    for tolerance in ["1e-3", "1e-6", "1e-9"] {
+        let run = shot(&format!("k=1e6 n=0.1 tol={tolerance}"));
+        let exact_m = (run.peak_contact_force_n.unwrap() / 1e6).powi(10);
+        let found_m = run.max_plate_displacement_m.unwrap();
+        assert!(is_near(found_m, exact_m, 1e-12), "{tolerance}: {found_m} {exact_m}");
+    }
+}
+
 /// From -d towards the spring's zero, up to the stop.
 #[test]
 fn a_plate_that_creeps_comes_to_rest_on_its_stop() {
