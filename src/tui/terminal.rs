@@ -210,10 +210,15 @@ pub(super) fn restore() {
     if ENTERED.swap(false, Ordering::SeqCst) {
         let takes =
             || poll_stdout(PollFlags::OUT, Some(SHORT)).is_ok_and(|found| !found.is_empty());
-        if !takes() {
-            discard_output();
-        }
-        if takes() {
+        // A thread that was stuck in a write, and goes on, fills the room again.
+        let has_room = (0..PATIENCE).any(|_| {
+            let takes = takes();
+            if !takes {
+                discard_output();
+            }
+            takes
+        });
+        if has_room {
             // If the terminal is gone, the error cannot be shown.
             let _ = write_all(&farewell());
         }
