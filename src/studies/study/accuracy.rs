@@ -12,6 +12,7 @@ use std::sync::Arc;
 use crate::study::context::Context;
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
+use cmra_engine::model::run::RunSnapshot;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables::{self, VariableError};
@@ -26,6 +27,8 @@ use method::{Answer, Job, Method, Parameter, Refusal, Results, SettingGrid};
 use reference::{Reference, References, printed_limit};
 use timing::{Clock, time};
 
+/// Steps of a reference from which on it asks whether to stop.
+const LONG_REFERENCE: u64 = 4096;
 /// Relative error above which the printed scheme counts as a different model. A rigid mount hides its error, and a perforation has no
 /// depth.
 const PRINTED_OFF_FROM: f64 = 1e-3;
@@ -154,7 +157,15 @@ pub fn compare(
     variables::validate(scene)?;
     variables::require_single(scene)?;
     variables::require_hydrodynamic(scene)?;
-    let references = References::from_scene(scene, &mut context.observer());
+    let mut steps = 0_u64;
+    let mut observe = context.observer();
+    // Only one that takes very long is looked at: the number of points is known after it.
+    let patient = &mut |look: &RunSnapshot<'_>| {
+        steps += 1;
+        if steps > LONG_REFERENCE { observe(look) } else { ControlFlow::Continue(()) }
+    };
+    let references = References::from_scene(scene, patient);
+    drop(observe);
     let end_s = references.any().map_or(f64::NAN, |reference| reference.end_s());
     let plan: Vec<(Method, Vec<Parameter>)> =
         Method::ALL.map(|method| (method, method.parameters(end_s, effort.ladder))).into();
