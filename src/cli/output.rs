@@ -15,7 +15,6 @@ static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
 #[cfg(target_os = "linux")]
 mod before_main {
     use std::sync::atomic::Ordering;
-    use std::{fs, path::Path};
 
     #[expect(
         unsafe_code,
@@ -26,8 +25,7 @@ mod before_main {
     static LOOK: extern "C" fn() = look;
 
     extern "C" fn look() {
-        let open = Path::new("/proc/self/fd");
-        let is_closed = open.exists() && fs::symlink_metadata(open.join("1")).is_err();
+        let is_closed = rustix::io::fcntl_getfd(rustix::stdio::stdout()).is_err();
         super::WAS_CLOSED.store(is_closed, Ordering::Relaxed);
     }
 }

@@ -1,13 +1,16 @@
 //! Input and output files of a command: an output never replaces an input, even with `--force`.
 
 use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::os::unix::fs::MetadataExt as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use crate::files::error::FileError;
 use crate::files::read;
 
-/// Files of this process, by canonical paths.
+/// Paths that this process has read, and those that its command line writes to. Files are compared as they are now: one that was replaced
+/// is another file.
 #[derive(Default)]
 struct Files {
     read: BTreeSet<PathBuf>,
@@ -16,40 +19,41 @@ struct Files {
 
 static FILES: Mutex<Files> = Mutex::new(Files { read: BTreeSet::new(), reserved: BTreeSet::new() });
 
+/// Path of standard input, which may be a file.
+const STDIN: &str = "/dev/stdin";
+
 /// Returns the text of an input (scene, library, measured values); an error if it is an output of the command line.
 pub(super) fn text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
     note(path)?;
     read::text_file(path, bytes_max)
 }
 
-/// Registers standard input, which may be a file.
+/// Registers standard input.
 pub fn note_stdin() -> Result<(), FileError> {
-    note(Path::new("/dev/stdin"))
+    note(Path::new(STDIN))
 }
 
 /// Registers an input; an error if it is an output of the command line.
 fn note(path: &Path) -> Result<(), FileError> {
-    let Some(real) = real(path) else { return Ok(()) };
     let mut files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
-    if files.reserved.contains(&real) {
+    if has(&files.reserved, path) {
         return Err(refusal(path));
     }
-    files.read.insert(real);
+    files.read.extend(std::path::absolute(path));
     Ok(())
 }
 
-/// Rejects an output that is an input.
+/// Returns an error if an output is a file that was read.
 pub(super) fn refuse(path: &Path) -> Result<(), FileError> {
     let files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
-    let is_input = real(path).is_some_and(|real| files.read.contains(&real));
-    if is_input { Err(refusal(path)) } else { Ok(()) }
+    if has(&files.read, path) { Err(refusal(path)) } else { Ok(()) }
 }
 
-/// Registers an output; an error if it is an input. Later inputs with the same path are rejected.
+/// Registers an output of the command line; an error if it was read. Later inputs that are the same file are errors.
 pub(super) fn reserve(path: &Path) -> Result<(), FileError> {
     refuse(path)?;
     let mut files = FILES.lock().unwrap_or_else(PoisonError::into_inner);
-    files.reserved.extend(real(path));
+    files.reserved.extend(std::path::absolute(path));
     Ok(())
 }
 
@@ -58,9 +62,20 @@ fn refusal(path: &Path) -> FileError {
     FileError::target(path, problem)
 }
 
-/// Returns the canonical path of a regular file; `None` for others.
-fn real(path: &Path) -> Option<PathBuf> {
-    path.canonicalize().ok().filter(|real| real.is_file())
+/// Returns `true` if a path leads to one of these files, by whatever name or link.
+fn has(paths: &BTreeSet<PathBuf>, path: &Path) -> bool {
+    identity(path).is_some_and(|own| paths.iter().any(|other| identity(other) == Some(own)))
+}
+
+/// Device and number of an ordinary file; `None` for what is not there, or is a device or a pipe.
+fn identity(path: &Path) -> Option<(u64, u64)> {
+    let found = if path == Path::new(STDIN) {
+        // By its name only where there is `/proc`.
+        File::from(rustix::stdio::stdin().try_clone_to_owned().ok()?).metadata()
+    } else {
+        fs::metadata(path)
+    };
+    found.ok().filter(fs::Metadata::is_file).map(|found| (found.dev(), found.ino()))
 }
 
 #[cfg(test)]
@@ -72,14 +87,16 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let at = |name: &str| {
             let path = place.path().join(name);
-            std::fs::write(&path, "1").unwrap();
+            fs::write(&path, "1").unwrap();
             path
         };
         let (read, written) = (at("read"), at("written"));
         let link = place.path().join("link");
         std::os::unix::fs::symlink(&read, &link).unwrap();
+        let hard_link = place.path().join("hard");
+        fs::hard_link(&read, &hard_link).unwrap();
         note(&read).unwrap();
-        for output in [&read, &link, &place.path().join("../").join(&read)] {
+        for output in [&read, &link, &hard_link, &place.path().join("../").join(&read)] {
             let error = reserve(output).unwrap_err().to_string();
             assert!(error.contains("is an input"), "{error}");
             assert!(refuse(output).is_err());

@@ -29,7 +29,7 @@ pub(crate) fn assert_near(value: f64, exact: f64, tolerance: f64) {
 
 /// The program in a directory and an environment of its own: neither those of the tests nor a person's files count.
 pub(crate) fn program() -> Command {
-    let mut command = Command::cargo_bin("cmra").unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_cmra"));
     command.current_dir(in_repository("")).env_clear();
     command.env("HOME", Path::new(env!("CARGO_TARGET_TMPDIR")).join("nobody"));
     command
