@@ -8,7 +8,7 @@ use ratatui::widgets::{Clear, Widget};
 
 use crate::tui::app::notice::StatusPart;
 use crate::tui::keymap::PaneKey;
-use crate::tui::pages::run::VARIABLES;
+use crate::tui::pages::page::pair;
 use crate::tui::pages::{self, PageSpec};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
@@ -156,18 +156,6 @@ fn from_table(app: &App) -> Vec<(String, String)> {
         }
     }
     entries
-}
-
-/// The key to show, with its opposite or its companion where there is one: `h/l`.
-pub(crate) fn pair(app: &App, action: Action) -> String {
-    let pair = match action {
-        Action::Right => [Action::Left, Action::Right],
-        Action::Down => [Action::Down, Action::Up],
-        Action::Window if app.pane() == VARIABLES => [Action::Window, Action::FullPane],
-        _ => return app.keymap.label(action),
-    };
-    let keys = pair.map(|one| app.keymap.label(one)).into_iter().filter(|key| !key.is_empty());
-    keys.collect::<Vec<_>>().join("/")
 }
 
 /// Tabs at the left; preset and whether it is modified at the right.

@@ -8,6 +8,7 @@ mod changed;
 mod charts;
 mod doors;
 mod edits;
+mod every;
 mod exports;
 mod filters;
 mod impact;

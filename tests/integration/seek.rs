@@ -31,7 +31,7 @@ fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
 fn a_solution_that_no_interface_holds_has_the_plastic_answer_beside_it() {
     let goal = ["--over", "d=0..0.5", "--goal", "percent_of_baseline=50"];
     let (page, _) = out(&goal, 0);
-    let line = page.lines().find(|line| line.contains("d = 0.0979977 m: 50 %")).unwrap();
+    let line = page.lines().find(|line| line.contains("d = 97.9977 mm: 50 %")).unwrap();
     assert!(line.contains("; plastic: ") && page.contains("`--set d=0.0979"), "{page}");
     let (json, _) = out(&[&goal[..], &["--json"]].concat(), 0);
     let found: Value = serde_json::from_str(&json).unwrap();

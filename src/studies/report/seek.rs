@@ -29,7 +29,7 @@ pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<Warning> {
 /// A solution in words, beside what the plastic interface gives where the fused one could not carry its load.
 pub fn solution(report: &SeekReport, solution: &SeekResult, checked: &DesignValidity) -> String {
     let axis = &report.axis;
-    let at = axis.show(solution.place.at, 6);
+    let at = axis.display(solution.place.at, 6);
     let outcome = solution.outcome.map_or("", PointOutcome::key);
     let reached = report.measure.show(solution.place.value, 6);
     let plastic = checked.plastic.map(|it| format!("; {}", it.message(report.measure)));
@@ -45,7 +45,7 @@ pub fn solution(report: &SeekReport, solution: &SeekResult, checked: &DesignVali
 /// Further remarks: that there is no solution, jumps over the goal, and where there is no value.
 pub fn remarks(report: &SeekReport, reach: Reach) -> Vec<Remark> {
     let (axis, measure) = (&report.axis, report.measure);
-    let at = |value: f64| axis.show(value, 6);
+    let at = |value: f64| axis.display(value, 6);
     let shown = |value: f64| measure.show(value, 6);
     let place = |place: SamplePoint| {
         format!("{} at {} = {}", shown(place.value), axis.symbol(), at(place.at))

@@ -73,7 +73,7 @@ impl Page for NumericsTab {
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
-            ACCURACY => None,
+            ACCURACY => note(accuracy::readout(app)),
             STABILITY => note(app.map_readout()),
             _ => app.battery_readout(),
         }

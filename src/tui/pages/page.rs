@@ -29,7 +29,7 @@ use ratatui::buffer::Buffer;
 
 use crate::tui::app::ActiveInput;
 use crate::tui::app::running::CachedResult;
-use crate::tui::pages;
+use crate::tui::pages::{self, run};
 use crate::tui::widgets::form::{FieldQuantity, Form};
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::{Layout, layout};
@@ -281,6 +281,18 @@ pub(crate) fn move_by(app: &mut App, by: isize) {
     {
         page.select(app, rows.selected.min(last).saturating_add_signed(by).min(last));
     }
+}
+
+/// The key to show, with its opposite or its companion where there is one: `h/l`.
+pub(crate) fn pair(app: &App, action: Action) -> String {
+    let pair = match action {
+        Action::Right => [Action::Left, Action::Right],
+        Action::Down => [Action::Down, Action::Up],
+        Action::Window if app.pane() == run::VARIABLES => [Action::Window, Action::FullPane],
+        _ => return app.keymap.label(action),
+    };
+    let keys = pair.map(|one| app.keymap.label(one)).into_iter().filter(|key| !key.is_empty());
+    keys.collect::<Vec<_>>().join("/")
 }
 
 /// Why a page has no table.

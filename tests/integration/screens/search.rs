@@ -223,7 +223,7 @@ fn a_solution_that_no_interface_holds_together_says_so() {
     answer(&mut bench);
     bench.keys("<Enter>50<Enter>");
     answer(&mut bench);
-    for words in ["d = 0.0979977 m: 50 %", "interface pull is", "plastic: "] {
+    for words in ["d = 97.9977 mm: 50 %", "interface pull is", "plastic: "] {
         assert!(bench.screen().contains(words), "{words}: {}", bench.screen());
     }
     Arc::make_mut(&mut bench.app.scene).interface.law = InterfaceLaw::Plastic;

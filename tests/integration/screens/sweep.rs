@@ -173,7 +173,7 @@ fn the_cursor_only_looks_and_enter_loads_that_design() {
     let before = Arc::clone(&bench.app.scene);
     keys(&mut bench, "llkkk");
     assert_eq!(bench.app.scene, before, "a cursor changes nothing");
-    assert!(bench.message().contains("gamma 1.73 k 1.125e6"), "{}", bench.message());
+    assert!(bench.message().contains("gamma 1.73 k 1125 kN/m^n"), "{}", bench.message());
     keys(&mut bench, "<Enter>");
     let scene = &bench.app.scene;
     // The baseline is nearest to point 1, 0 of 21 x 21.
@@ -415,9 +415,9 @@ fn the_cursor_of_a_sweep_over_the_mass_of_the_plate_begins_at_the_scene() {
     keys(&mut bench, "2<Tab>l<Tab>");
     let message = bench.message();
     let near = message.strip_prefix("near m_2 ").and_then(|rest| rest.split_once(' '));
-    let mass_kg: f64 = near.expect(&message).0.trim_end_matches(':').parse().unwrap();
+    let mass_g: f64 = near.expect(&message).0.trim_end_matches(':').parse().unwrap();
     // Half a step of the axis.
-    assert!((mass_kg - bench.app.scene.plate_mass_kg()).abs() < 0.6e-3, "{message}");
+    assert!((1e-3 * mass_g - bench.app.scene.plate_mass_kg()).abs() < 0.6e-3, "{message}");
 }
 
 /// The line above the chart says what is held, and where that differs from the caption; the family over n shows its edge.

@@ -132,6 +132,16 @@ impl Axis {
         self.variable.symbol
     }
 
+    /// Formats a value in the unit that pages show: `240 mm`, `1500 kN/m^n`.
+    pub fn display(&self, value: f64, digits: usize) -> String {
+        let unit = self.number.quantity.shown_unit();
+        let shown = units::in_unit(value, unit, self.number.quantity);
+        shown.map_or_else(
+            || self.show(value, digits),
+            |shown| format!("{} {unit}", units::significant(shown, digits)).trim_end().to_owned(),
+        )
+    }
+
     /// Formats a value with its unit: `0.24 m`, `1.5e6 N/m^n`.
     pub fn show(&self, value: f64, digits: usize) -> String {
         let unit = self.variable.unit();

@@ -51,7 +51,7 @@ impl App {
         let is_here = |(axis, value): (&Axis, f64)| axis.own_value(&self.scene) == Some(value);
         let near = if values().all(is_here) { "" } else { "near " };
         let place =
-            values().map(|(axis, value)| format!("{} {}", axis.symbol(), axis.show(value, 5)));
+            values().map(|(axis, value)| format!("{} {}", axis.symbol(), axis.display(value, 5)));
         let place = place.collect::<Vec<_>>().join(" ");
         let (shown, _) = self.shown_output(grid);
         let outputs = grid.plan().outputs().iter().enumerate();

@@ -21,9 +21,9 @@ const LETTER: u16 = 2;
 /// The columns of the table of methods.
 const KEYS: [&str; 4] = ["method", "run_time_s_to_1e-6", "least_error", "run_time_s_to_1e-9"];
 
-/// Rows of the answer above the chart, and of what leaving out gains below it: one more where that is long.
+/// Rows of the answer above the chart; least and most rows of what leaving out gains below it.
 const ANSWER_ROWS: u16 = 1;
-const GAIN_ROWS: u16 = 3;
+const GAIN_ROWS: (u16, u16) = (3, 6);
 
 impl App {
     /// The scene on the screen at the tolerance of what was measured: every tolerance is, whichever the scene has.
@@ -67,15 +67,16 @@ impl App {
             let counted = counted.unwrap_or_default();
             return vec![format!("error {:.0e}: not computed yet{counted}", TARGETS[0])];
         }
-        let gains: Vec<String> = report
-            .savings
-            .iter()
-            .map(|it| {
-                let [with, without] = [it.with_s, it.without_s].map(seconds);
-                format!("{} {with} -> {without} ({})", it.part, gain(it))
-            })
-            .collect();
-        let gains = (!gains.is_empty()).then(|| format!("omitted: {}", gains.join("; ")));
+        let row = |[part, with, without, gain]: [&str; 4]| {
+            format!("{part:<32}{with:>7}{without:>8}  {gain}").trim_end().to_owned()
+        };
+        let head = row(["what is left out", "with", "without", "gain"]);
+        let gains = report.savings.iter().map(|it| {
+            let [with, without] = [it.with_s, it.without_s].map(seconds);
+            row([it.part, &with, &without, &gain(it)])
+        });
+        let head = (!report.savings.is_empty()).then_some(head);
+        let gains: Vec<String> = head.into_iter().chain(gains).collect();
         let printed = printed_scheme(report);
         std::iter::once(format!("error {}", advice(report))).chain(printed).chain(gains).collect()
     }
@@ -107,6 +108,23 @@ impl App {
         }
         lines
     }
+}
+
+/// The selected row in words.
+pub(crate) fn readout(app: &App) -> Option<String> {
+    let tab = &app.pages.numerics.accuracy;
+    let method = tab.method();
+    let report = tab.method_report(method)?;
+    let [first, second] = TARGETS.map(|target| {
+        let found = report.cheapest(target);
+        found.map_or_else(
+            || format!("not {target:.0e}"),
+            |found| format!("{target:.0e} in {}", seconds(found.min_s)),
+        )
+    });
+    let least = report.min_error().map(|error| format!("; least {error:.0e}"));
+    let least = least.unwrap_or_default();
+    Some(format!("{} reaches an error of {first}, {second}{least}", method.name()))
 }
 
 /// The tab is shown: measure, unless this scene has been or is being measured.
@@ -175,8 +193,8 @@ pub(crate) fn draw(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let mut answers = app.accuracy_answers().into_iter();
     let first = answers.next().unwrap_or_default();
     let below: Vec<String> = answers.flat_map(|line| wrap(&line, room)).collect();
-    let is_long = below.len() > usize::from(GAIN_ROWS);
-    let (top, gains) = split_bottom(rest, GAIN_ROWS + u16::from(is_long));
+    let lines = u16::try_from(below.len()).unwrap_or(u16::MAX);
+    let (top, gains) = split_bottom(rest, lines.clamp(GAIN_ROWS.0, GAIN_ROWS.1));
     let wanted = match body.width {
         0..72 => 29,
         72..WIDE => 35,

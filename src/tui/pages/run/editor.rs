@@ -5,9 +5,9 @@ pub(crate) mod draw;
 use std::collections::BTreeMap;
 
 use crate::tui::widgets::find::{rank_variable, ranked};
-use cmra_engine::model::scene::Scene;
+use cmra_engine::model::scene::{Scene, SpringKind};
 use cmra_engine::model::units::{self, significant};
-use cmra_engine::model::variables::{VARIABLES, Value, Variable, is_offered};
+use cmra_engine::model::variables::{VARIABLES, Value, Variable, is_offered, is_used};
 
 /// The variables that the thesis designs with, and those that it is given: they are always in the list. Each has a word for where
 /// its label is too long.
@@ -70,6 +70,21 @@ fn is_main(variable: &Variable) -> bool {
     short_label(variable).is_some()
 }
 
+/// The variables that the scene's kind of spring has and a power law has not; empty where stiffness and exponent act.
+fn spring_rows(scene: &Scene) -> Vec<usize> {
+    if scene.mechanism.spring.kind == SpringKind::PowerLaw {
+        return Vec::new();
+    }
+    let mut plain = scene.clone();
+    plain.mechanism.spring.kind = SpringKind::PowerLaw;
+    let is_own = |variable: &Variable| {
+        let is_there = is_offered(variable, scene) && is_used(variable, scene);
+        is_there && variable.key.starts_with("mechanism.spring.") && !is_used(variable, &plain)
+    };
+    let all = VARIABLES.iter().enumerate().filter(|(_, variable)| is_own(variable));
+    all.map(|(index, _)| index).collect()
+}
+
 impl Default for Editor {
     /// The first design variable is selected.
     fn default() -> Self {
@@ -82,7 +97,11 @@ impl Editor {
     /// The variables beside the main ones that the scene offers.
     fn more(scene: &Scene) -> impl Iterator<Item = usize> {
         let all = VARIABLES.iter().enumerate();
-        let is_more = |variable: &Variable| !is_main(variable) && is_offered(variable, scene);
+        let own = spring_rows(scene);
+        let is_more = move |variable: &Variable| {
+            let is_own = own.iter().any(|index| VARIABLES[*index].key == variable.key);
+            !is_own && !is_main(variable) && is_offered(variable, scene)
+        };
         all.filter(move |(_, variable)| is_more(variable)).map(|(index, _)| index)
     }
 
@@ -96,6 +115,14 @@ impl Editor {
         }
         let named = |rows: [(&str, &str); 7]| rows.map(|it| EditorRow::Variable(index_of(it.0)));
         let mut rows = named(DESIGN).to_vec();
+        let own = spring_rows(scene);
+        if !own.is_empty() {
+            // The kind of spring has rows of its own in the place of stiffness and exponent.
+            let law = ["k", "n"].map(|symbol| EditorRow::Variable(index_of(symbol)));
+            let at = rows.iter().position(|row| *row == law[0]).unwrap_or(0);
+            rows.retain(|row| !law.contains(row));
+            rows.splice(at..at, own.into_iter().map(EditorRow::Variable));
+        }
         rows.push(EditorRow::Heading("Analysis variables"));
         rows.extend(named(ANALYSIS));
         if is_unfolded {

@@ -72,6 +72,10 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let list = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
     let (count, selected) = (app.pins.len() + 1, app.pages.run.selected);
     let rows = RowList { count, selected, painted: focused };
+    let hidden = count.saturating_sub(usize::from(list.height));
+    if hidden > 0 {
+        canvas.put(area, (0, 0), &format!("+{hidden}"), Role::Warning);
+    }
     rows.render(
         canvas,
         list,

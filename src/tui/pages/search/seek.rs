@@ -61,7 +61,7 @@ impl Answer for SeekReport {
 
     fn readout(&self, app: &App) -> Option<String> {
         let solution = self.solutions().nth(app.pages.search.selected())?;
-        let at = self.axis.show(solution.place.at, 5);
+        let at = self.axis.display(solution.place.at, 5);
         let value = self.measure.show(solution.place.value, 4);
         let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
         Some(format!("{} {at}: {value}{loads}", self.axis.symbol()))
