@@ -1,7 +1,6 @@
-//! The simulation by itself: the physics (`model`) and the methods that know no physics (`numerics`).
+//! Simulation of an impact: physics ([`model`]) and numerical methods ([`numerics`]).
 //!
-//! A crate of its own, so that it is optimised in every profile while the rest of the program is not, and compiled again only when
-//! it changes. `cmra` re-exports both modules.
+//! The engine is a separate package, which is optimised in every build profile and compiled only when it changes.
 
 #![forbid(unsafe_code)]
 

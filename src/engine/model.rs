@@ -1,9 +1,9 @@
-//! The physics: a projectile, a plate on a spring and damper, and the force between them.
+//! Physics: a projectile, a plate on a spring and a damper, and the contact force between them.
 //!
-//! Equations and signs are those of C. S. Andersen's thesis (BYU 2007), chapter 8 and Appendix A, with its errors corrected; the
-//! assumptions beyond it are named where they are made. SI units throughout; every physical field's name ends in its unit.
-//! **Invariants:** no file, no screen, no clock and no thread is known here; `simulate` is a pure function of its arguments; a scene
-//! that makes no physical sense is refused with an `Err`, and whatever goes wrong later is reported in the result.
+//! Equations and signs are those of C. S. Andersen's thesis (BYU 2007), chapter 8 and Appendix A, with corrections; further assumptions are
+//! named where they are made. Units are SI; the name of every physical field ends in its unit.
+//! **Invariants:** This module depends on neither files nor screens nor clocks nor threads. `simulate` is a pure function. A physically
+//! impossible scene is an `Err`; later problems are reported in the result.
 //!
 //! # How one run goes from a scene to its result
 //!
@@ -26,9 +26,9 @@
 //!    gives [`estimate::set`] the error of each result.
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
-//! Sweeps and searches that need the first contact only take the [`contact_kernel`] where it serves the scene, else the
-//! simulation. [`closed_form`] has what needs no steps, [`appendix`] the scheme of the thesis with equations of its own,
-//! [`mod@reference`] stored digits, [`design`] formulas that need no simulation.
+//! Sweeps and searches that need only the first contact use the [`contact_kernel`] if it applies to the scene, else the simulation.
+//! [`closed_form`] has solutions without time steps, [`appendix`] the time stepping of the thesis with its own equations,
+//! [`mod@reference`] stored reference results, [`design`] formulas without a simulation.
 
 pub mod appendix;
 pub mod closed_form;

@@ -1,4 +1,4 @@
-//! Impact from first contact to its end: a pure function without clock, file or thread.
+//! Simulation of an impact from first contact to its end; a pure function without clock, file or thread.
 //!
 //! `equations` contains the equations of motion. `modes` contains the discrete states and their transitions, `events` the event functions
 //! of each state. `reduced_system` selects the active degrees of freedom; `plate_lock` locks the plate while a stiff spring holds it. `run`

@@ -1,7 +1,7 @@
-//! The results of a run: series, events, outcome, energy ledger, cost and warnings. Plain data in SI units.
+//! Results of a run: time series, events, outcome, energy balance, cost and warnings; plain data in SI units.
 //!
-//! A quantity that does not exist for a scene is `None`, never zero. A run that had to end early keeps all it has and says
-//! why in [`Run::end`]. Nothing here reads a clock: the caller measures the time.
+//! A quantity that does not exist for a scene is `None`, never zero. A run that ends early has partial results and the reason in
+//! [`Run::end`]. The caller measures the run time.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -19,14 +19,15 @@ pub use crate::model::stack::StackRun;
 pub use result::RunResult;
 pub use warning::{NotModelled, RunWarning, Warning};
 
-/// The output that a run delivers besides its results.
+/// Optional output of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Keep the series to draw from.
+    /// Whether to keep the time series.
     pub series: bool,
-    /// Distance in time of its rows, s, greater than 0, instead of the solver's own steps; no rows follow the first [`EVERY_ROWS_MAX`].
+    /// Interval of the rows, s, positive; by default rows are at the steps of the solver. The number of rows is limited to
+    /// [`EVERY_ROWS_MAX`].
     pub every_s: Option<f64>,
-    /// Compute the error estimate (from a closed form or a second computation).
+    /// Whether to compute the error estimate (from a closed form or a second computation).
     pub estimate: bool,
     /// Work after which a run ends undecided, as [`Cost::work`] counts it; `None` for [`WORK_MAX`], and more at a tight tolerance.
     pub work_max: Option<usize>,
@@ -62,109 +63,107 @@ impl Default for Settings {
     }
 }
 
-/// Part of the greatest displacement at which it is reached.
+/// Tolerance of the time of maximum displacement, relative to the displacement.
 const REACHED: f64 = 1e-6;
 
-/// The end of the time in which a contact is drawn, relative to its own end: a little beyond it, so that it is seen.
+/// End of the time range of a chart of the contact, relative to the end of the contact; beyond it, so that the end is visible.
 pub const CONTACT_WINDOW: f64 = 1.1;
 
-/// A look at a run that goes on.
+/// State of a run in progress.
 pub struct RunSnapshot<'a> {
-    /// The time reached, s.
+    /// Simulated time, s.
     pub t_s: f64,
-    /// The run so far: as if it had been cancelled there, or whole but for its error estimate. `None` of the listing of Appendix A, and of
-    /// the plates of a stack behind the first.
+    /// Returns the partial run, or the complete run without its error estimate; `None` for the listing of Appendix A, and for further
+    /// plates of a stack.
     pub so_far: &'a dyn Fn() -> Option<Run>,
 }
 
-/// Called before every step; `Break` ends the run as cancelled.
+/// Callback before every step; `Break` cancels the run.
 pub type Observer<'a> = &'a mut dyn FnMut(&RunSnapshot<'_>) -> ControlFlow<()>;
 
 /// Results of one impact.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Run {
-    /// The scene as it was run.
+    /// Scene of the run.
     pub scene: Arc<Scene>,
-    /// The outcome of the shot.
+    /// Outcome of the shot.
     pub outcome: Outcome,
-    /// Why the computation ended.
+    /// Reason for the end of the computation.
     pub end: EndReason,
-    /// The first moment of common velocity, the thesis's end of penetration.
+    /// First zero of the relative velocity; the end of penetration in the thesis.
     pub first_arrest: Option<Arrest>,
-    /// Depth of the hole at the end; of a perforation, the depth at which the nose was clear of the rear face, m.
+    /// Final depth of the hole, m; for a perforation the depth at which the nose left the rear face.
     pub final_penetration_m: Option<f64>,
-    /// Penetration of the same shot into the same plate on a rigid mount, m; `None` if that perforates, or if the contact model knows no
-    /// depth.
+    /// Depth of the same shot with a rigid mount, m; `None` for a perforation, or a contact model without depth.
     pub baseline_penetration_m: Option<f64>,
-    /// Greatest contact force while penetrating, N; `None` for a collision that takes no time.
+    /// Maximum contact force while penetrating, N; `None` for an instantaneous collision.
     pub peak_contact_force_n: Option<f64>,
-    /// Greatest plate displacement x; `None` where nothing ever stops the plate or the run ended before it was known, m.
+    /// Maximum displacement of the plate, m; `None` if nothing stops the plate, or if the run ended before.
     pub max_plate_displacement_m: Option<f64>,
-    /// Bounds of depth and displacement where they are not final.
+    /// Lower bounds of depth and displacement that are not final.
     pub at_least: AtLeast,
-    /// The greatest depth for which an undecided run has energy left, or to which further slips can deepen the hole of an arrested projectile,
-    /// m; `None` where the depth is final, or would perforate.
+    /// Upper bound of a depth that is not final, by energy, m; `None` if the depth is final, or if the bound perforates.
     pub penetration_at_most_m: Option<f64>,
     /// Projectile velocity after perforation, m/s.
     pub residual_velocity_m_s: Option<f64>,
-    /// When the nose was clear of the rear face, s.
+    /// Time at which the nose left the rear face, s.
     pub exit_time_s: Option<f64>,
-    /// When the projectile left through the entry face, and the velocities then.
+    /// Time and velocities at which the projectile left through the entry face.
     pub separation: Option<Departure>,
-    /// Plate velocity when projectile and plate part for good, at either face, m/s; `None` where they do not.
+    /// Velocity of the plate when the projectile leaves it through either face, m/s.
     pub plate_velocity_after_m_s: Option<f64>,
-    /// Greatest N/(A `S_y`) the interface carried, or would have had to carry, while fused.
+    /// Maximum compression of the fused interface, relative to its strength A `S_y`.
     pub interface_demand_ratio: Option<f64>,
-    /// Greatest tension that the fused interface carried up to the end of the run, over its strength `g A S_y`; infinite where
-    /// there is no grip g, `None` where the interface can let go.
+    /// Maximum tension of the fused interface up to the end of the run, relative to its strength `g A S_y`; infinite for g = 0, `None` for
+    /// an interface that can separate.
     pub interface_tension_ratio: Option<f64>,
-    /// Error estimate of the final penetration (of the exit time, for a perforation), relative to it; infinite where it is not known.
+    /// Relative error estimate of the final depth (for a perforation of the exit time); infinite if unknown.
     pub error_estimate: Option<f64>,
-    /// How the estimates were obtained, where any were.
+    /// Source of the error estimates.
     pub estimate_basis: Option<EstimateBasis>,
-    /// Error estimates of the results by their names, each relative to it, as far as they exist.
+    /// Relative error estimates of the results, by name.
     pub error_estimates: Vec<(&'static str, f64)>,
-    /// The series to draw, in order of time; two samples at the same time where something jumps. Empty unless requested.
+    /// Time series; two rows at the same time at a discontinuity. Empty unless requested.
     pub series: Vec<Sample>,
-    /// Located events, in order of time.
+    /// Events in order of time.
     pub events: Vec<Event>,
-    /// Where the energy went.
+    /// Energy balance.
     pub ledger: EnergyLedger,
-    /// The load of the mechanism.
+    /// Loads of the mechanism.
     pub mechanism: MechanismLoad,
-    /// The outcome of the shot behind this plate, where the scene is a stack.
+    /// Run of the further plates of a stack.
     pub stack: Option<Arc<StackRun>>,
     /// Results of the same shot with a plastic interface; `Some` for a fused run if both were requested.
     pub plastic: Option<Arc<Self>>,
-    /// The cost of the computation.
+    /// Cost of the computation.
     pub cost: Cost,
-    /// The terms that this scene did not need.
+    /// Terms without effect in this scene, which were not computed.
     pub omitted: Vec<&'static str>,
     /// Warnings.
     pub warnings: Vec<RunWarning>,
 }
 
 labelled_enum! {
-    /// The outcome of the shot.
+    /// Outcome of the shot.
     #[derive(Default)]
     pub enum Outcome: word {
         Arrested = "arrested",
         Perforated = "perforated",
-        /// The projectile left through the entry face and will not come back.
+        /// The projectile left through the entry face and does not come back.
         Separated = "separated",
         #[default]
         Moving = "moving",
-        /// By a law that is too low for the shot the plate is perforated: whether it is, is not measured.
+        /// The run perforates, but its law underestimates the limit, and there are no measurements.
         Unmeasured = "not-measured",
     }
 
-    /// Why the computation ended.
+    /// Reason for the end of a computation.
     #[derive(Default)]
     pub enum EndReason: words {
         #[default]
         Decided = "outcome decided",
         Horizon = "horizon reached",
-        /// No horizon was given, and a plate oscillates on, or touches again and again, undecided.
+        /// Without a horizon: the outcome is undecided after many oscillations or contacts.
         Oscillates = "undecided after many turns and touches",
         StepBudget = "ended early: the step budget was used up",
         StepUnderflow = "ended early: steps became too small to move time forward",
@@ -175,13 +174,13 @@ labelled_enum! {
 }
 
 impl EndReason {
-    /// Whether the run is complete: decided, or run as far as it was to go.
+    /// Returns `true` if the run is decided, or reached its horizon.
     pub fn is_complete(self) -> bool {
         matches!(self, Self::Decided | Self::Horizon | Self::Oscillates)
     }
 }
 
-/// The state at the first moment of common velocity.
+/// State at the first arrest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrest {
     /// Time since first contact, s.
@@ -194,39 +193,39 @@ pub struct Arrest {
     pub plate_velocity_m_s: f64,
 }
 
-/// A projectile that leaves the plate.
+/// Departure of a projectile from the plate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Departure {
     /// Time since first contact, s.
     pub t_s: f64,
-    /// Velocity of the projectile then, m/s.
+    /// Velocity of the projectile, m/s.
     pub velocity_m_s: f64,
-    /// Velocity of the plate then, m/s.
+    /// Velocity of the plate, m/s.
     pub plate_velocity_m_s: f64,
 }
 
 labelled_enum! {
-    /// The mode of motion.
+    /// Contact mode.
     #[derive(Default)]
     pub enum ContactMode: word {
         #[default]
         Penetrating = "penetrating",
         Fused = "fused",
         Withdrawing = "withdrawing",
-        /// Apart, or in the hole without force.
+        /// Out of contact, or in the hole without force.
         FreeFlight = "free-flight",
-        /// In the hole again, moving towards its bottom.
+        /// Moving in the hole towards its bottom.
         Closing = "closing",
         Perforated = "perforated",
     }
 }
 
-/// Row of the series.
+/// Row of the time series.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Sample {
     /// Time since first contact, s.
     pub t_s: f64,
-    /// The mode of motion.
+    /// Contact mode.
     pub mode: ContactMode,
     /// Depth of the nose in the plate now, m (negative once it has left through the entry face).
     pub penetration_m: f64,
@@ -255,17 +254,17 @@ impl Sample {
     }
 }
 
-/// Something that happened at a located moment.
+/// Event of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// When, s.
+    /// Time, s.
     pub t_s: f64,
     /// Kind of the event.
     pub kind: EventKind,
 }
 
 labelled_enum! {
-    /// The kinds of events a person wants marked on a chart.
+    /// Kinds of events that charts mark.
     pub enum EventKind: words {
         FirstArrest = "projectile first stops",
         Arrest = "arrest",
@@ -288,39 +287,39 @@ labelled_enum! {
     }
 }
 
-/// How an error estimate was obtained.
+/// Source of an error estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateBasis {
     /// Difference from a second computation of higher order and tighter tolerance, times a safety factor.
     SecondComputation,
     /// Difference from the closed form.
     ClosedForm,
-    /// Unknown: the other computation ended otherwise, with this outcome.
+    /// Unknown: the second computation has this other outcome.
     OutcomeDiffers(Outcome),
-    /// Twice the difference to the same first-order scheme at half the step: against the scheme's own limit.
+    /// Twice the difference from the same first-order scheme with half the step size: the error relative to the limit of the scheme.
     HalfStep,
 }
 
-/// Where the energy went, in J. Every term is what has left the bodies' initial kinetic energy and the spring's preload.
+/// Energy balance, J: initial kinetic energy and preload of the spring, and the terms they were converted into.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct EnergyLedger {
-    /// Projectile's kinetic energy at the start.
+    /// Kinetic energy of the projectile at the start.
     pub initial_kinetic_j: f64,
-    /// Plate's kinetic energy at the start, with what moves with it.
+    /// Kinetic energy of the plate and of parts that move with it, at the start.
     pub initial_plate_j: f64,
     /// Energy preloaded in the cocked spring.
     pub initial_spring_j: f64,
-    /// Projectile's kinetic energy at the end.
+    /// Kinetic energy of the projectile at the end.
     pub projectile_j: f64,
-    /// Plate's kinetic energy at the end.
+    /// Kinetic energy of the plate at the end.
     pub plate_j: f64,
-    /// Kinetic energy at the end of what moves with the plate: its rotation, the springs' own mass.
+    /// Kinetic energy of rotation and of the mass of the springs at the end.
     pub inertia_j: f64,
     /// Energy stored in the spring at the end.
     pub spring_j: f64,
-    /// Energy that absorbers have taken by being crushed.
+    /// Energy dissipated by crushing of absorbers.
     pub crush_j: f64,
-    /// Energy the damper has taken.
+    /// Energy dissipated by the damper.
     pub damper_j: f64,
     /// Work done in the hole: penetration, and friction on the way out or in.
     pub penetration_j: f64,
@@ -328,24 +327,24 @@ pub struct EnergyLedger {
     pub pick_up_j: f64,
     /// Work of shearing the plug out.
     pub shear_j: f64,
-    /// Energy stored in, or taken by, the stop.
+    /// Energy stored in or dissipated by the stop.
     pub stop_j: f64,
-    /// Energy that the weight of the projectile has given, where it is counted.
+    /// Work of the weight of the projectile, if it is included.
     pub weight_j: f64,
 }
 
 impl EnergyLedger {
-    /// All energy at the start, J.
+    /// Returns the total energy at the start, J.
     pub fn initial_j(&self) -> f64 {
         self.initial_kinetic_j + self.initial_plate_j + self.initial_spring_j
     }
 
-    /// All energy at the start, and what the weight has given since, J.
+    /// Returns the total energy at the start plus the work of the weight, J.
     pub fn given_j(&self) -> f64 {
         self.initial_j() + self.weight_j
     }
 
-    /// All energy accounted for at the end, J.
+    /// Returns the sum of all terms at the end, J.
     pub fn final_j(&self) -> f64 {
         self.projectile_j
             + self.plate_j
@@ -359,56 +358,56 @@ impl EnergyLedger {
             + self.stop_j
     }
 
-    /// The error of the balance, relative to the energy at the start.
+    /// Returns the energy residual, relative to the energy at the start.
     pub fn residual(&self) -> f64 {
         (self.final_j() - self.given_j()) / self.initial_j()
     }
 }
 
-/// Lower bounds: what a run that ends undecided has reached so far. `None` where the value is final, or nothing is known.
+/// Lower bounds of the results of an undecided run; `None` for a final or unknown value.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct AtLeast {
     /// Depth of the hole so far, m.
     pub penetration_m: Option<f64>,
-    /// Greatest plate displacement so far, m.
+    /// Maximum displacement of the plate so far, m.
     pub plate_displacement_m: Option<f64>,
 }
 
-/// The load of the mechanism in a run.
+/// Loads of the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct MechanismLoad {
-    /// Greatest energy stored in the springs, cocked or on the way, J; `None` without a spring, or where it is not known.
+    /// Maximum energy stored in the springs, J; `None` without a spring, or if unknown.
     pub stored_j: Option<f64>,
-    /// Yield strength over the greatest bending stress of the beams; `None` without beams.
+    /// Yield strength over the maximum bending stress of the beams; `None` without beams.
     pub yield_margin: Option<f64>,
-    /// The mass that the mechanism adds to the plate, kg; `None` if none.
+    /// Mass that the mechanism adds to the plate, kg; `None` without one.
     pub added_kg: Option<f64>,
-    /// The springs' own mass, kg; `None` where it is not known.
+    /// Mass of the springs, kg; `None` if unknown.
     pub spring_mass_kg: Option<f64>,
-    /// Greatest force of spring, damper and elastic stop together over the whole motion, way back included, N; `None` on a rigid mount.
+    /// Maximum of the total force of spring, damper and elastic stop over the whole motion, rebound included, N; `None` on a rigid mount.
     pub peak_mount_n: Option<f64>,
-    /// Greatest energy of rotation at the solver's own steps, J; `None` where nothing turns.
+    /// Maximum energy of rotation at the steps of the solver, J; `None` without rotation.
     pub rotation_j: Option<f64>,
 }
 
-/// The cost of the computation.
+/// Cost of a computation.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Cost {
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: usize,
-    /// Rejected steps.
+    /// Number of rejected steps.
     pub rejected: usize,
-    /// Times the plate turned, twice an oscillation: each takes steps.
+    /// Number of reversals of the plate, two for each oscillation.
     pub turns: usize,
-    /// Events that changed what the bodies do: contact, interface and stop.
+    /// Number of events of contact, interface and stop.
     pub events: usize,
-    /// Evaluations of the equations of motion.
+    /// Number of evaluations of the equations of motion.
     pub rhs_evaluations: usize,
-    /// The wall-clock time it took with its error estimate, as whoever ran it measured, s; `None` where nobody did.
+    /// Elapsed time with the error estimate, as measured by the caller, s.
     pub took_s: Option<f64>,
-    /// The method that did it, or the methods.
+    /// Name of the method.
     pub method: &'static str,
-    /// Why that method.
+    /// Reason for the method.
     pub reason: &'static str,
 }
 
@@ -420,15 +419,15 @@ impl Cost {
 }
 
 impl Run {
-    /// Final penetration over the rigid mount's, in percent; `None` where either does not exist or the plate is perforated.
+    /// Returns the final depth relative to the depth on a rigid mount, percent; `None` if one does not exist, or for a perforation.
     pub fn percent_of_baseline(&self) -> Option<f64> {
-        // The quotient first: what is equal is 100 %.
+        // Quotient first: equal depths give exactly 100 %.
         let percent = 100.0 * (self.final_penetration_m? / self.baseline_penetration_m?);
         (self.outcome != Outcome::Perforated).then_some(percent)
     }
 
-    /// The outcome of the whole shot by the scene's criterion: into a stack, that in the last plate struck. What protrudes from one
-    /// before the base plate does not count.
+    /// Returns the outcome of the shot by the criterion of the scene; for a stack that in the last plate struck. A nose that protrudes from
+    /// a plate before the last does not count as a perforation.
     pub fn shot_outcome(&self) -> Outcome {
         let outcome = self.stack.as_ref().map_or(self.outcome, |stack| stack.outcome);
         let is_in_base = self.stack.as_ref().is_none_or(|stack| {
@@ -443,55 +442,54 @@ impl Run {
         }
     }
 
-    /// Whether the run reached its end and the outcome of the shot is decided.
+    /// Returns `true` if the run is complete and the outcome of the shot is decided.
     pub fn is_decided(&self) -> bool {
         self.end.is_complete() && self.shot_outcome() != Outcome::Moving
     }
 
-    /// The runs of the plates that were struck, in order; of a stack, the base plate at the end where it was.
+    /// Returns the runs of the plates that were struck, in order.
     pub fn plates(&self) -> impl Iterator<Item = &Self> {
         let behind = self.stack.iter().flat_map(|stack| stack.behind.iter());
         std::iter::once(self).chain(behind.map(|run| &**run))
     }
 
-    /// The depth of the whole shot: into a stack, all thickness perforated and the depth in what stopped it, m.
+    /// Returns the depth of the shot, m; for a stack the thickness of the perforated plates plus the depth in the last one.
     pub fn shot_depth_m(&self) -> Option<f64> {
         self.stack.as_ref().map_or(self.final_penetration_m, |stack| stack.penetration_m)
     }
 
-    /// The relative error estimate of a result; of a stack, the greatest of its plates.
+    /// Returns the relative error estimate of a result; for a stack the maximum over its plates.
     pub fn error_of(&self, name: &str) -> Option<f64> {
         let errors = self.plates().flat_map(|run| &run.error_estimates);
         errors.filter(|error| error.0 == name).map(|error| error.1).reduce(larger)
     }
 
-    /// The residual velocity behind the plate, or behind the base plate of a stack, m/s.
+    /// Returns the residual velocity behind the plate, or behind the last plate of a stack, m/s.
     pub fn shot_residual_m_s(&self) -> Option<f64> {
         self.stack.as_ref().map_or(self.residual_velocity_m_s, |stack| stack.residual_velocity_m_s)
     }
 
-    /// By how much the nose of a shot that is not perforated stands out of the rear face, m; `None` where it does not. By the
-    /// army criterion that is a complete penetration.
+    /// Returns how far the nose of an arrested projectile protrudes from the rear face, m; `None` if it does not. The army criterion counts
+    /// this as a complete penetration.
     pub fn protrusion_m(&self) -> Option<f64> {
         let depth = self.final_penetration_m.or(self.at_least.penetration_m)?;
         let out = depth - self.scene.effective_thickness_m();
         (self.outcome != Outcome::Perforated && out > 0.0).then_some(out)
     }
 
-    /// Greatest displacement plus cocking distance: the space the mechanism needs, m.
+    /// Returns the stroke, m: maximum displacement plus cocking distance.
     pub fn stroke_m(&self) -> Option<f64> {
         Some(self.max_plate_displacement_m? + self.scene.start_m().abs())
     }
 
-    /// When the plate comes to its greatest displacement, s; `None` without a series that goes so far.
+    /// Returns the time of maximum displacement, s; `None` if the time series ends before.
     pub fn max_displacement_time_s(&self) -> Option<f64> {
         let far_m = self.max_plate_displacement_m.filter(|_| self.scene.is_sprung())?;
         let is_there = |row: &&Sample| far_m - row.plate_displacement_m <= REACHED * far_m.abs();
         self.series.iter().find(is_there).map(|row| row.t_s)
     }
 
-    /// Work of the projectile's weight along the stroke of a mechanism, over the kinetic energy of the impact; `None` where there is no
-    /// stroke.
+    /// Returns the work of the projectile's weight over the stroke, relative to the kinetic energy of the impact; `None` without a stroke.
     pub fn weight_share(&self) -> Option<f64> {
         let scene = &self.scene;
         let Projectile { mass_kg, velocity_m_s, .. } = scene.projectile;
@@ -499,7 +497,7 @@ impl Run {
         Some(mass_kg * GRAVITY_M_S2 * way_m / (0.5 * mass_kg * velocity_m_s * velocity_m_s))
     }
 
-    /// The end of the contact window: first arrest, perforation, or the end of the run, s.
+    /// Returns the end of the contact, s: first arrest, perforation, or end of the run.
     pub fn contact_end_s(&self) -> f64 {
         let arrest = self.first_arrest.map(|arrest| arrest.t_s);
         arrest.or(self.exit_time_s).unwrap_or_else(|| self.series.last().map_or(0.0, |row| row.t_s))

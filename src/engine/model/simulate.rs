@@ -1,6 +1,6 @@
-//! From a scene to its run: validate, simulate by the model that the scene names, follow the shot through the rest of a stack.
+//! Simulation of a scene: validation, run with the contact model of the scene, and further plates of a stack.
 //!
-//! Pure functions: no clock, no file, no thread.
+//! All functions are pure: no clock, no file, no thread.
 
 use std::sync::Arc;
 
@@ -14,11 +14,11 @@ use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
 
-/// Simulate one impact.
+/// Simulates an impact.
 ///
 /// # Errors
-/// A [`VariableError`] when the scene makes no physical sense, or the distance of rows is not greater than 0. Anything that goes wrong later is reported in
-/// [`Run::end`], with the part that was computed.
+/// A [`VariableError`] if the scene is physically impossible, or the interval of rows is not positive. Later problems are reported in
+/// [`Run::end`], with the partial results.
 pub fn simulate(
     scene: &Arc<Scene>,
     settings: &Settings,
@@ -37,7 +37,7 @@ pub fn simulate(
     Ok(run)
 }
 
-/// Withholds what a law that is too low for the shot says of a perforation: outcome, residual velocity and what follows.
+/// Removes outcome, residual velocity and results that depend on them, if the law underestimates the limit and the run perforates.
 fn withhold_perforation(run: &mut Run) {
     if !envelope::is_law_low(&run.scene) {
         return;
@@ -66,7 +66,7 @@ fn withhold_perforation(run: &mut Run) {
     };
 }
 
-/// Refuses rows that do not follow each other in time.
+/// Checks that the interval of rows is positive.
 fn check_rows(settings: &Settings) -> Result<(), VariableError> {
     match settings.every_s.filter(|every_s| !(every_s.is_finite() && *every_s > 0.0)) {
         Some(every_s) => Err(VariableError::Rows { every_s: every_s.to_string() }),

@@ -1,4 +1,4 @@
-//! The motion, once: constants of a scene, forces in a mode, accelerations and their derivatives.
+//! Equations of motion: parameters of a scene, forces in a mode, accelerations and their derivatives.
 //!
 //! Travel q and relative velocity u are measured along the projectile's axis, displacement x and velocity w along the plate's normal. With
 //! contact force F and the mechanism's force G, `m_p v' = -F` and `m_2 w' = F cos - G`, where u = v - w cos.
@@ -13,72 +13,74 @@ use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind};
 use crate::numerics::step::{Jacobian, Point};
 use crate::numerics::{larger, smaller};
 
-/// Part of the impact velocity that is lost among the errors of the plate's own at the tightest tolerance.
+/// Negligible velocity of the plate, relative to the impact velocity: below the error of its velocity at the smallest tolerance.
 const VELOCITY_RESOLUTION: f64 = 1e-18;
 /// Relative rounding error of a force. Areas of oblique sections are differences of terms; 1e-13 is below the step tolerance.
 const FORCE_ROUNDING: f64 = 1e-13;
-/// Rounding, relative to what a zero is a difference of.
+/// Rounding error, relative to the operands of a difference that is zero.
 const ROUNDING: f64 = f64::EPSILON;
 
-/// The constants of an impact.
+/// Parameters of an impact.
 #[derive(Clone, Debug)]
 pub(super) struct ImpactParameters {
     pub(super) law: ContactLaw,
     pub(super) geometry: Geometry,
-    /// At first contact; an absorber's law changes as it is crushed.
+    /// Spring at first contact; the law of an absorber changes as it is crushed.
     pub(super) spring: Spring,
     /// Mechanism that contains a crush absorber, if any.
     pub(super) absorber: Option<Box<scene::Mechanism>>,
     pub(super) damper: PowerLaw,
-    /// Velocity below which a steep one is taken as linear, m/s; zero of any other.
+    /// Velocity below which a damper with exponent < 1 is linearised, m/s; else 0.
     pub(super) creep_m_s: f64,
-    /// Where the stop is, m; infinite where there is none.
+    /// Position of the stop, m; infinite without one.
     pub(super) stop_at_m: f64,
     /// Coefficient of restitution of the rigid stop; `None` without one.
     pub(super) restitution: Option<f64>,
-    /// Stiffness and damping of an elastic one; zero of any other.
+    /// Stiffness of an elastic stop, N/m; else 0.
     pub(super) stop_n_m: f64,
+    /// Damping coefficient of an elastic stop, N s/m; else 0.
     pub(super) stop_n_s_m: f64,
     pub(super) projectile_kg: f64,
-    /// `m_2` and what its mechanism adds.
+    /// Mass of the plate with the mass that the mechanism adds, kg.
     pub(super) plate_kg: f64,
-    /// The part of it that stands for what turns with the plate and is turned by the mount.
+    /// Part of `plate_kg` that represents inertia geared to the plate and carried by the mount.
     pub(super) turning_kg: f64,
-    /// Mass that moves along the plate's normal when both bodies move together, kg.
+    /// Mass of the fused bodies along the normal of the plate, kg.
     pub(super) joined_kg: f64,
     pub(super) cos: f64,
     pub(super) strength_pa: f64,
     pub(super) drag_kg_m3: f64,
-    /// Strength in tension over that in compression.
+    /// Limit load in tension, relative to that in compression.
     pub(super) grip: f64,
-    /// Reference velocity, m/s: the greater of projectile and closing velocity at first contact.
+    /// Reference velocity, m/s: the larger of projectile velocity and closing velocity at first contact.
     pub(super) velocity_m_s: f64,
-    /// Reference length, m: the lesser of the tip radius and the travel on which the strength alone stops the shot.
+    /// Reference length, m: the smaller of the tip radius and the travel over which the strength alone stops the shot.
     pub(super) length_m: f64,
-    /// Displacement and velocity of the plate at first contact.
+    /// Displacement of the plate at first contact, m.
     pub(super) start_m: f64,
+    /// Velocity of the plate at first contact, m/s.
     pub(super) start_m_s: f64,
-    /// Velocity with which the projectile meets it.
+    /// Relative velocity at first contact, m/s.
     pub(super) closing_m_s: f64,
-    /// The interface yields after the first arrest.
+    /// Whether the interface can slip after the first arrest.
     pub(super) plastic: bool,
-    /// The mount is rigid.
+    /// Whether the mount is rigid.
     pub(super) still: bool,
-    /// The method that steps, which says how far the plate is followed.
+    /// Integration method.
     pub(super) stepping: IntegrationMethod,
-    /// Error of a step relative to what moves.
+    /// Relative tolerance of the local error.
     pub(super) tolerance: f64,
     /// Kinetic energy of projectile and plate at first contact, J.
     pub(super) initial_kinetic_j: [f64; 2],
-    /// The constants once the plug is picked up; `None` for a nose that pushes the metal aside, and once they hold.
+    /// Parameters after the plug is picked up; `None` for a nose without a plug, and in these parameters themselves.
     pub(super) plug: Option<Box<Self>>,
-    /// Part of the slip that is left when the plug is picked up; 1 until these constants hold.
+    /// Factor of the relative velocity when the plug is picked up; 1 before.
     pub(super) kept: f64,
-    /// Weight of the projectile along its axis, N; zero where it is not counted.
+    /// Weight of the projectile along its axis, N; 0 if it is not included.
     pub(super) weight_n: f64,
 }
 
-/// Time, travel, slip, and displacement from the mode's origin and velocity of the plate.
+/// State: time, travel, relative velocity, and displacement (from the origin of the mode) and velocity of the plate.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(super) struct State {
     pub(super) t_s: f64,
@@ -88,7 +90,7 @@ pub(super) struct State {
     pub(super) w_m_s: f64,
 }
 
-/// The equations that hold in a mode.
+/// Equations of motion in a mode.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Equations<'a> {
     pub(super) setup: &'a ImpactParameters,
@@ -96,7 +98,7 @@ pub(super) struct Equations<'a> {
 }
 
 impl ImpactParameters {
-    /// Builds the parameters of a valid scene for steps to a tolerance.
+    /// Creates the parameters of a valid scene, with a tolerance of the local error.
     pub(super) fn from_scene(scene: &Scene, tolerance: f64) -> Self {
         let law = ContactLaw::from_scene(scene);
         let flows = law == ContactLaw::Flow;
@@ -156,7 +158,7 @@ impl ImpactParameters {
         }
     }
 
-    /// The constants once a plug is picked up: it moves with the projectile, and its sheared rim resists.
+    /// Returns the parameters after a plug is picked up: it moves with the projectile, against the shear force at its rim.
     fn around(&self, plug: &Plug) -> Self {
         let projectile_kg = self.projectile_kg + plug.mass_kg;
         let plate_kg = self.plate_kg - plug.mass_kg;
@@ -172,7 +174,7 @@ impl ImpactParameters {
         }
     }
 
-    /// The constants for steps by a method.
+    /// Returns the parameters with an integration method.
     pub(super) fn by(mut self, stepping: IntegrationMethod) -> Self {
         self.stepping = stepping;
         self.creep_m_s *= self.rule_part();
@@ -180,17 +182,17 @@ impl ImpactParameters {
         self
     }
 
-    /// The constants at a travel at which a piece of the area ends: those with the plug at the end of the hole ahead of it.
+    /// Returns the parameters at an end of a piece of the area law: those with the plug if it is picked up there.
     pub(super) fn at(&self, q_m: f64) -> &Self {
         self.plug.as_deref().filter(|_| q_m >= self.geometry.exit_m).unwrap_or(self)
     }
 
-    /// Whether the plug is picked up.
+    /// Returns `true` if the plug is picked up.
     pub(super) fn shears(&self) -> bool {
         self.kept < 1.0
     }
 
-    /// Spring and elastic stop together, without what damps.
+    /// Returns the combined law of spring and elastic stop, without damping.
     pub(super) fn with_stop(&self, spring: &Spring) -> Spring {
         if self.stop_n_m == 0.0 {
             return spring.clone();
@@ -202,19 +204,19 @@ impl ImpactParameters {
         self.stop_at_m.is_finite()
     }
 
-    /// The spring and how far its absorber is crushed, m, where a plate does not go on from x, and has crushed it farther than before.
+    /// Returns the spring and the crushed length of its absorber, m, for a plate that reverses at x; `None` if it is not crushed further.
     pub(super) fn crushed_at(&self, x_m: f64, before_m: f64) -> Option<(Spring, f64)> {
         let mechanism = self.absorber.as_ref()?;
         let crushed_m = mechanism.spring.crush.crushed_by(x_m, before_m)?;
         Some((Spring::new(mechanism, crushed_m), crushed_m))
     }
 
-    /// Part of the mechanism's force that the interface carries while the bodies move together.
+    /// Returns the fraction of the mechanism's force that the fused interface carries.
     pub(super) fn interface_fraction(&self) -> f64 {
         self.projectile_kg * self.cos / self.joined_kg
     }
 
-    /// Time in which the projectile goes the length that others are compared with at first, s.
+    /// Returns the reference time, s: reference length over reference velocity.
     pub(super) fn passage_s(&self) -> f64 {
         self.length_m / self.velocity_m_s
     }
@@ -227,28 +229,29 @@ impl ImpactParameters {
         is_at_zero && self.spring.is_steep_at_zero() && self.law != ContactLaw::AtOnce
     }
 
-    /// Whether the plate is at its stop, or beyond it, at first contact.
+    /// Returns `true` if the plate is at its stop or beyond at first contact.
     pub(super) fn starts_on_stop(&self) -> bool {
         !self.still && self.start_m >= self.stop_at_m
     }
 
-    /// Where a rigid stop ends the plate's way, m; infinite where there is none.
+    /// Returns the position of a rigid stop, m; infinite without one.
     pub(super) fn rigid_stop_m(&self) -> f64 {
         if self.restitution.is_some() { self.stop_at_m } else { f64::INFINITY }
     }
 
-    /// Kinetic energy of both at first contact, J.
+    /// Returns the kinetic energy of both bodies at first contact, J.
     pub(super) fn initial_j(&self) -> f64 {
         self.initial_kinetic_j.into_iter().sum()
     }
 
-    /// The velocity of the projectile.
+    /// Returns the velocity of the projectile, m/s.
     pub(super) fn projectile_m_s(&self, state: &State) -> f64 {
         state.u_m_s + state.w_m_s * self.cos
     }
 }
 
-/// The least of tip radius and travel on which the strength of the first piece of the area, `a_0 + a_1 q`, takes the energy of a shot, m.
+/// Returns the reference length, m: the smaller of the tip radius and the travel over which the strength dissipates the energy of the shot,
+/// with the first piece `a_0 + a_1 q` of the area law.
 fn flow_length_m(scene: &Scene, geometry: &Geometry, velocity_m_s: f64) -> f64 {
     let (nose, law) = (&geometry.nose, geometry.piece(0.0).law);
     let energy_j = 0.5 * scene.projectile.mass_kg * velocity_m_s * velocity_m_s;
@@ -256,28 +259,28 @@ fn flow_length_m(scene: &Scene, geometry: &Geometry, velocity_m_s: f64) -> f64 {
     let (area_m2, slope_m) = (law.area_m2(nose, 0.0), law.slope_m(nose, 0.0));
     let travel_m =
         2.0 * volume_m3 / (area_m2 + (area_m2 * area_m2 + 2.0 * slope_m * volume_m3).sqrt());
-    // Without strength there is no such travel.
+    // The travel is infinite without strength.
     if travel_m < nose.radius_m { travel_m } else { nose.radius_m }
 }
 
 impl Equations<'_> {
-    /// Displacement from the zero of the spring.
+    /// Returns the displacement from the zero of the spring, m.
     pub(super) fn displacement_m(&self, x_m: f64) -> f64 {
         self.mode.origin_m + x_m
     }
 
-    /// The ends of the spring's stretch, from the mode's origin.
+    /// Returns the ends of the present piece of the spring's law, from the origin of the mode, m.
     pub(super) fn knots_m(&self) -> (f64, f64) {
         let (below, above) = self.mode.spring.ends(self.mode.stretch);
         (below - self.mode.origin_m, above - self.mode.origin_m)
     }
 
-    /// Displacement beyond the stop.
+    /// Returns the displacement beyond the stop, m.
     pub(super) fn beyond_stop_m(&self, x_m: f64) -> f64 {
         x_m - (self.setup.stop_at_m - self.mode.origin_m)
     }
 
-    /// Strength and drag that the contact opposes to the slip while the bodies push on each other.
+    /// Returns strength and drag coefficient of the contact in the present direction.
     fn pressure(&self) -> (f64, f64) {
         let ImpactParameters { strength_pa, drag_kg_m3, grip, .. } = *self.setup;
         match self.mode.contact {
@@ -287,7 +290,7 @@ impl Equations<'_> {
         }
     }
 
-    /// Force between the bodies along the projectile's axis, positive where it pushes them apart, N; nothing while joined.
+    /// Returns the contact force along the axis of the projectile, positive if repulsive, N; 0 for fused bodies.
     #[inline]
     pub(super) fn contact_n(&self, state: &State) -> f64 {
         if !self.is_touching() {
@@ -308,12 +311,12 @@ impl Equations<'_> {
         }
     }
 
-    /// Whether the bodies push on each other without being one.
+    /// Returns `true` if the bodies are in contact and not fused.
     pub(super) fn is_touching(&self) -> bool {
         !matches!(self.mode.contact, Contact::FreeFlight | Contact::Perforated | Contact::Fused)
     }
 
-    /// Whether the nose goes deeper than ever.
+    /// Returns `true` if the hole gets deeper.
     pub(super) fn is_loading(&self) -> bool {
         self.mode.contact == Contact::Penetrating
     }
@@ -334,13 +337,13 @@ impl Equations<'_> {
         (slope * (strength + drag * u_m_s * u_m_s), 2.0 * area * drag * u_m_s)
     }
 
-    /// How fast it grows, N/s, but where it is prescribed.
+    /// Returns the time derivative of the contact force, N/s, except for a prescribed history.
     pub(super) fn contact_rate_n_s(&self, state: &State) -> f64 {
         let (by_travel, by_slip) = self.contact_slopes(state.q_m, state.u_m_s);
         by_travel * state.u_m_s + by_slip * self.accelerations(state).0
     }
 
-    /// Force of spring, damper and elastic stop against the plate's motion forwards, N.
+    /// Returns the force of spring, damper and elastic stop, positive against forward motion, N.
     pub(super) fn mechanism_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         let mode = self.mode;
         mode.spring.force_in(mode.stretch, self.displacement_m(x_m))
@@ -348,17 +351,18 @@ impl Equations<'_> {
             + self.pressed_stop_n(x_m, w_m_s)
     }
 
-    /// Force of the elastic stop while it is pressed.
+    /// Returns the force of the elastic stop, N; 0 if it is not in contact.
     pub(super) fn pressed_stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         if self.mode.is_pressed { self.stop_n(x_m, w_m_s) } else { 0.0 }
     }
 
-    /// The force that the stop, an elastic one, would have if it could pull as well.
+    /// Returns the force of the elastic stop as if it could also pull, N.
     pub(super) fn stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         self.setup.stop_n_m * self.beyond_stop_m(x_m) + self.setup.stop_n_s_m * w_m_s
     }
 
-    /// Derivatives of the mechanism's force by displacement and velocity; where one is infinite, that a rounding away.
+    /// Returns the derivatives of the mechanism's force by displacement and velocity. An infinite derivative is replaced by that at a
+    /// distance of a rounding error.
     pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
         let ImpactParameters { stop_n_m, stop_n_s_m, .. } = *self.setup;
         let (k, b) = if self.mode.is_pressed { (stop_n_m, stop_n_s_m) } else { (0.0, 0.0) };
@@ -371,7 +375,7 @@ impl Equations<'_> {
         (self.mode.spring.tangent_in(self.mode.stretch, x_m) + k, by_speed + b)
     }
 
-    /// Force on the mount, N: that of the mechanism and of what it turns with the plate, or what a plate that is held does not take.
+    /// Returns the force on the mount, N: that of the mechanism without the geared inertia, or for a fixed plate the reaction force.
     pub(super) fn mount_n(&self, state: &State) -> f64 {
         match self.mode.hold {
             PlateConstraint::Mount => 0.0,
@@ -387,17 +391,17 @@ impl Equations<'_> {
         }
     }
 
-    /// Mass that the mechanism moves where it moves the plate, with the projectile or alone.
+    /// Returns the mass that moves with the plate, kg: with the projectile if fused.
     pub(super) fn moving_kg(&self) -> f64 {
         if self.mode.contact == Contact::Fused { self.setup.joined_kg } else { self.setup.plate_kg }
     }
 
-    /// Whether the plate stays where it is.
+    /// Returns `true` if the plate is fixed.
     pub(super) fn plate_rests(&self) -> bool {
         self.mode.hold != PlateConstraint::Free
     }
 
-    /// Accelerations of slip and plate.
+    /// Returns the accelerations of relative displacement and plate.
     pub(super) fn accelerations(&self, state: &State) -> (f64, f64) {
         let mechanism_n = || self.mechanism_n(state.x_m, state.w_m_s);
         self.with_weight(self.moved_by(self.contact_n(state), mechanism_n))
@@ -418,7 +422,8 @@ impl Equations<'_> {
         (slip, plate)
     }
 
-    /// Their derivatives by travel and displacement, and by slip and the plate's velocity.
+    /// Returns the Jacobian: derivatives of the accelerations by travel and displacement, and by relative velocity and velocity of the
+    /// plate.
     #[inline]
     pub(super) fn slopes(&self, state: &State) -> Jacobian<2> {
         let setup = self.setup;
@@ -453,7 +458,7 @@ impl Equations<'_> {
         self.contact_n(state) * self.setup.cos + self.joined_weight_n() - spring
     }
 
-    /// A velocity of the plate that is lost among errors, m/s.
+    /// Returns the negligible velocity of the plate, m/s.
     pub(super) fn unresolved_m_s(&self) -> f64 {
         VELOCITY_RESOLUTION * self.setup.velocity_m_s
     }
@@ -479,7 +484,7 @@ impl Equations<'_> {
         let by_place_n = if mode.origin_m == 0.0 {
             0.0
         } else {
-            // At the zero of a steep spring its slope is infinite.
+            // The stiffness is infinite at a singular zero.
             let slope_n_m = mode.spring.tangent_in(mode.stretch, at_m).abs();
             let most_n = mode.spring.force(mode.origin_m).abs() + spring_n;
             smaller(slope_n_m * mode.origin_m.abs(), most_n)

@@ -5,7 +5,7 @@ use crate::model::impact::equations::{Equations, ImpactParameters, State};
 use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
 use crate::numerics::larger;
 
-/// The events that can end a mode.
+/// Returns the events that can end a mode.
 pub(super) fn possible_events(
     setup: &ImpactParameters,
     mode: &HybridMode,
@@ -19,7 +19,7 @@ pub(super) fn possible_events(
         (is_free && above.is_finite(), Event::KnotAhead),
         (is_free && below.is_finite(), Event::KnotBehind),
         (is_free && !mode.is_pressed && setup.has_stop(), Event::StopReached),
-        // Only a plate that goes back can be faster than the stop follows.
+        // Only a plate that moves backwards can be faster than the stop.
         (is_free && mode.is_pressed && mode.w_side < 0.0, Event::StopSlack),
     ];
     let of_plate = of_plate.into_iter().filter(|(has, _)| *has).map(|(_, event)| event);
@@ -36,7 +36,7 @@ fn of_contact(setup: &ImpactParameters, mode: &HybridMode) -> &'static [Event] {
         (ContactLaw::Flow, Contact::Penetrating) => &[Event::PieceEnd, Event::SlipZero],
         (ContactLaw::Flow, Contact::Closing) => &[Event::PieceEnd, Event::SlipZero, Event::Bottom],
         (ContactLaw::Flow, Contact::Withdrawing) => &[Event::PieceStart, Event::SlipZero],
-        // On a plate at rest the slip is zero at the end of the history alone, where it is quadratic in time.
+        // For a fixed plate the relative velocity is zero only at the end of the history, where it has a double zero.
         (ContactLaw::History(_), _) if is_free => &[Event::HistoryEnd, Event::SlipZero],
         (ContactLaw::History(_), _) => &[Event::HistoryEnd],
         (_, Contact::FreeFlight) => &[Event::Recontact],
@@ -45,7 +45,7 @@ fn of_contact(setup: &ImpactParameters, mode: &HybridMode) -> &'static [Event] {
     }
 }
 
-/// The gap of an event.
+/// Returns the event function of an event.
 pub(super) fn event_function(equations: &Equations<'_>, event: Event, state: &State) -> f64 {
     let Equations { setup, mode } = equations;
     match event {
@@ -62,21 +62,21 @@ pub(super) fn event_function(equations: &Equations<'_>, event: Event, state: &St
         Event::KnotAhead => equations.knots_m().1 - state.x_m,
         Event::KnotBehind => state.x_m - equations.knots_m().0,
         Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
-        // An elastic one follows a plate that goes back.
+        // An elastic stop follows a plate that moves backwards.
         Event::StopReached if mode.w_side < 0.0 && setup.stop_n_m > 0.0 => {
             -equations.stop_n(state.x_m, state.w_m_s)
         }
         Event::StopReached => -equations.beyond_stop_m(state.x_m),
         Event::StopSlack => equations.stop_n(state.x_m, state.w_m_s),
         Event::StopRelease => equations.push_on_stop_n(state),
-        // The loop asks for these between steps: they are not waited for.
+        // The loop checks these events between steps.
         Event::ZeroPassed | Event::SpringHolds => 1.0,
         Event::Yields => equations.lock_margin_n(state),
     }
 }
 
-/// Event function of renewed contact: the travel that is missing. In the dent of a lumped interface it is the damper's force, which keeps
-/// the projectile off the spring.
+/// Returns the event function of renewed contact: the distance to contact. In the dent of a lumped interface it is the force of the damper,
+/// which separates projectile and spring.
 fn recontact(setup: &ImpactParameters, mode: &HybridMode, state: &State) -> f64 {
     let missing_m = setup.law.slack_m(mode.deepest_m) - state.q_m;
     let ContactLaw::Lumped(lumped) = setup.law else { return missing_m };

@@ -1,4 +1,4 @@
-//! The methods that the loop can step by.
+//! Integration methods of the loop.
 
 use std::sync::Arc;
 
@@ -25,25 +25,25 @@ const LEAST_JUDGING: f64 = 1e-14;
 /// A method that the loop can step by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IntegrationMethod {
-    /// Radau IIA, the engine's own, to a tolerance: with seven stages where the mechanism's laws are analytic, else with nine. Seven take fewer
-    /// instructions a step, and more steps towards a singular zero.
+    /// Radau IIA with a tolerance, the method of the engine: seven stages if the laws of the mechanism are analytic, else nine. Seven
+    /// stages need less work for a step, but more steps near a singular zero.
     Collocation(f64),
     /// Collocation; the plate is integrated to its turning point even if its energy gives the maximum displacement.
     CollocationInFull(f64),
     /// Collocation with two more stages, for the error estimate of one to this tolerance; its own is tighter. Events force both computations to
     /// the same steps, on which a member with equally many stages would have the same errors.
     Second(f64),
-    /// Radau IIA with three stages, of order five, to a tolerance.
+    /// Radau IIA with three stages (order five) and a tolerance.
     Radau5(f64),
-    /// DOP853 to a tolerance.
+    /// DOP853 with a tolerance.
     Dop853(f64),
-    /// The classical Runge-Kutta method with steps of this length, s; events are located.
+    /// Classical Runge-Kutta method with this step size, s, and event location.
     Rk4(f64),
-    /// Classical Runge-Kutta; events are noticed after the step that contains them.
+    /// Classical Runge-Kutta method with this step size, s; events take effect at the end of a step.
     Rk4WithoutEvents(f64),
 }
 
-/// Runs one impact on a valid scene by a method; every contact model but the listing of the Appendix.
+/// Runs an impact of a valid scene with a method, for every contact model except the listing of the Appendix.
 pub(super) fn run_by(
     scene: &Arc<Scene>,
     settings: Settings,

@@ -8,24 +8,24 @@ use crate::model::contact::AreaPiece;
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
 use crate::model::mechanism::{Spring, sign};
-/// The contact of projectile and plate, which is what a row of the series calls its mode.
+/// Contact of projectile and plate; the `mode` of a row.
 pub(super) use crate::model::run::ContactMode as Contact;
 use crate::numerics::larger;
 
-/// Part of the work of the whole hole below which a joined body that strikes a stop is stopped whole: its interface would yield by
-/// less than that part of the travel.
+/// Energy of fused bodies, relative to the work of the hole, below which a stop arrests both: the interface would slip by less than this
+/// fraction of the travel.
 const NEGLIGIBLE_IMPACT_ENERGY: f64 = 1e-13;
 
 /// Constraint of the plate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum PlateConstraint {
-    /// Nothing: it moves.
+    /// No constraint: the plate moves.
     Free,
-    /// The rigid stop, on which it is pressed.
+    /// Rigid stop that the plate is pressed on.
     OnStop,
-    /// A spring that is infinitely steep where the plate stands, and lets it move by nothing that counts.
+    /// Spring that is singular at the position of the plate (locked plate).
     Spring,
-    /// The rigid mount.
+    /// Rigid mount.
     Mount,
 }
 
@@ -34,13 +34,13 @@ pub(super) enum PlateConstraint {
 pub(super) struct HybridMode {
     pub(super) contact: Contact,
     pub(super) hold: PlateConstraint,
-    /// Displacement that a steep spring that holds it does not let it exceed, m.
+    /// Displacement at which a locked plate unlocks, m.
     pub(super) held_m: f64,
-    /// The plate is pressed on its elastic stop.
+    /// Whether the plate is pressed on its elastic stop.
     pub(super) is_pressed: bool,
-    /// The stretch of the area law in which the nose is.
+    /// Piece of the area law at the nose.
     pub(super) piece: AreaPiece,
-    /// Greatest travel so far, as far as the contact is beyond it only while it deepens.
+    /// Maximum travel so far: bottom of the hole.
     pub(super) deepest_m: f64,
     /// Volumes that the nose has swept up to where plastic bodies stick and up to the bottom of the hole, m³; `None` while they slip.
     pub(super) stuck_m3: Option<[f64; 2]>,
@@ -48,60 +48,61 @@ pub(super) struct HybridMode {
     /// zero again where the plate is nearer to that.
     pub(super) origin_m: f64,
     pub(super) spring: Spring,
-    /// Spring and elastic stop together.
+    /// Combined law of spring and elastic stop.
     pub(super) elastic: Spring,
-    /// The stretch of the spring's law in which the plate is or into which it goes.
+    /// Piece of the spring's law at the plate, or that it enters.
     pub(super) stretch: usize,
-    /// How far the absorber is crushed, m, and the energy that it has taken, J.
+    /// Crushed length of the absorber, m.
     pub(super) crushed_m: f64,
+    /// Energy dissipated by crushing, J.
     pub(super) crushed_j: f64,
-    /// Side of the velocity's zero on which the plate is or to which it goes, 1 or -1.
+    /// Direction of motion of the plate, 1 or -1; that it starts in if at rest.
     pub(super) w_side: f64,
 }
 
 /// Event that ends a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Event {
-    /// The area law changes, going deeper; the last time the nose is through, or picks up the plug.
+    /// Upper end of a piece of the area law; at the last one the nose is through, or picks up the plug.
     PieceEnd,
-    /// The area law changes, coming out; the last time the nose is out.
+    /// Lower end of a piece of the area law; at the first one the nose is out.
     PieceStart,
-    /// The bottom of the hole is reached again.
+    /// Return to the bottom of the hole.
     Bottom,
-    /// Common velocity.
+    /// Zero of the relative velocity.
     SlipZero,
-    /// A projectile that was out touches again.
+    /// Renewed contact of a projectile that was out of contact.
     Recontact,
-    /// A lumped interface does not push any more.
+    /// End of the force of a lumped interface.
     ContactLost,
-    /// The prescribed force history is over.
+    /// End of the prescribed force history.
     HistoryEnd,
-    /// The joined interface is pushed beyond its strength.
+    /// Compression of the fused interface reaches its limit load.
     PushLimit,
-    /// Tension beyond the grip.
+    /// Tension of the fused interface reaches its limit load.
     PullLimit,
-    /// The spring's law changes, going forwards.
+    /// Knot of the spring's law at larger displacement.
     KnotAhead,
     /// Knot of the spring's law at smaller displacement.
     KnotBehind,
-    /// The plate turns.
+    /// Reversal of the plate.
     SpeedZero,
-    /// The plate comes to its stop, or an elastic one catches up with it.
+    /// Contact of the plate with its stop; an elastic stop can follow and reach the plate.
     StopReached,
-    /// The elastic stop does not press any more.
+    /// End of the force of the elastic stop.
     StopSlack,
-    /// Nothing presses the plate on its rigid stop any more.
+    /// End of the force on the rigid stop.
     StopRelease,
-    /// The plate comes through the zero of a spring that is not smooth there.
+    /// Passage through a singular zero of the spring.
     ZeroPassed,
-    /// A steep spring takes hold of the plate.
+    /// Locking of the plate by a singular spring.
     SpringHolds,
-    /// Unlocking of the plate: the spring's displacement becomes noticeable.
+    /// Unlocking of the plate: the displacement of the spring is no longer negligible.
     Yields,
 }
 
 impl Event {
-    /// Whether another event is this one the other way.
+    /// Returns `true` if another event is the reverse of this one.
     pub(super) fn is_undone_by(self, other: Self) -> bool {
         matches!(
             (self, other),
@@ -113,7 +114,7 @@ impl Event {
     }
 }
 
-/// The mode and the state at first contact.
+/// Returns mode and state at first contact.
 pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
     let mut mode = HybridMode {
         contact: Contact::Penetrating,
@@ -147,7 +148,7 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
     if let Some(held_m) = (Equations { setup, mode: &mode }).initial_lock_displacement_m() {
         (mode.hold, mode.held_m) = (PlateConstraint::Spring, held_m);
     }
-    // A plate that moves strikes its stop: an event of the loop, which books its work.
+    // A moving plate hits its stop in the loop, which records the work.
     if setup.starts_on_stop() && state.w_m_s == 0.0 {
         reach_stop(setup, &mut mode, &mut state);
         mode.w_side = 1.0;
@@ -155,7 +156,7 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
     (mode, state)
 }
 
-/// The mode that follows an event; the state is put exactly on the event, and jumps where the event makes it.
+/// Returns the mode after an event; sets the state exactly to the event, and applies its jump.
 pub(super) fn after(
     setup: &ImpactParameters,
     mode: &HybridMode,
@@ -183,7 +184,7 @@ pub(super) fn after(
             release(setup, &mut next, state);
         }
         Event::ZeroPassed => {
-            // What the spring takes on one side it gives on the other.
+            // The energy of the spring is equal at the mirror position.
             let x_m = mode.origin_m + state.x_m;
             let way_s = -2.0 * x_m / state.w_m_s;
             state.t_s += way_s;
@@ -248,7 +249,7 @@ fn at_contact(
             start_loading(setup, next, state);
         }
         Event::Recontact => {
-            // Backwards it is the damper that lets go of its spring again.
+            // In the other direction the damper ends its push on the spring.
             if state.u_m_s > 0.0 {
                 state.q_m = setup.law.slack_m(mode.deepest_m);
             }
@@ -276,7 +277,7 @@ fn at_contact(
     }
 }
 
-/// A plate that does not go on unloads the absorber that it has crushed from where it is: what was spent on crushing is gone.
+/// Starts the unloading branch of an absorber at the present displacement; the energy of crushing is dissipated.
 fn unload(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     let x_m = mode.origin_m + state.x_m;
     if state.w_m_s > 0.0 {
@@ -290,7 +291,7 @@ fn unload(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     mode.spring = spring;
 }
 
-/// The bodies become one, with the momentum they have.
+/// Perfectly inelastic impact: both bodies get the common velocity, with conserved momentum.
 fn merge_bodies(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State) {
     let v = setup.projectile_m_s(state);
     let momentum = setup.projectile_kg * v * setup.cos + setup.plate_kg * state.w_m_s;
@@ -304,8 +305,8 @@ fn merge_bodies(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut Sta
     mode.contact = Contact::Fused;
 }
 
-/// The nose goes forward where it is. The lumped interface is on its steeper branch above the greatest travel, whichever way it goes;
-/// a prescribed history knows no depth.
+/// Sets the contact of a nose that moves into the plate. A lumped interface is on its loading branch at its maximum travel; a prescribed
+/// force history does not depend on the depth.
 fn start_loading(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     let at_bottom = state.q_m >= mode.deepest_m;
     mode.contact = match setup.law {
@@ -316,7 +317,7 @@ fn start_loading(setup: &ImpactParameters, mode: &mut HybridMode, state: &State)
     mode.piece = setup.geometry.piece(state.q_m);
 }
 
-/// The nose goes back where it is, or is out.
+/// Sets the contact of a nose that moves out of the plate, or is out.
 fn start_withdrawal(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     mode.contact = if state.q_m > 0.0 { Contact::Withdrawing } else { Contact::FreeFlight };
     mode.piece = setup.geometry.piece(state.q_m.next_down());
@@ -344,15 +345,15 @@ fn stick_or_slip(setup: &ImpactParameters, mode: &mut HybridMode, state: &State)
     }
 }
 
-/// The plate meets its stop, of either kind.
+/// Applies the contact of the plate with its rigid or elastic stop.
 fn reach_stop(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State) {
-    // A plate that comes to it is where it stands; one that does not is caught up with where it is.
+    // A plate that moves towards the stop is at the stop; otherwise the stop reaches the plate.
     let is_beyond = setup.restitution.is_none() && state.w_m_s <= 0.0;
     let beyond_m = Equations { setup, mode }.beyond_stop_m(state.x_m);
     (mode.origin_m, state.x_m) = (setup.stop_at_m, if is_beyond { beyond_m } else { 0.0 });
     let Some(restitution) = setup.restitution else {
         mode.is_pressed = true;
-        // Its damper pushes at once.
+        // The damper of the stop has a force at once.
         if mode.contact == Contact::Fused {
             stick_or_slip(setup, mode, state);
         }
@@ -376,8 +377,8 @@ fn reach_stop(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State
     }
 }
 
-/// The velocity after a blow on a rigid stop. The flights of a plate that is pressed on it are parabolas, each shorter by the
-/// restitution: where all of them together are too short to matter it stays.
+/// Returns the velocity after an impact on a rigid stop. Bounces of a plate that is pressed on it are parabolas, shorter by the coefficient
+/// of restitution each time; zero if all further bounces are negligible.
 fn rebound(setup: &ImpactParameters, mode: &HybridMode, restitution: f64, state: &State) -> f64 {
     let speed = restitution * state.w_m_s;
     let left = State { w_m_s: 0.0, ..*state };
@@ -386,7 +387,7 @@ fn rebound(setup: &ImpactParameters, mode: &HybridMode, restitution: f64, state:
     if pressed > 0.0 && way_m < setup.held_m() { 0.0 } else { -speed }
 }
 
-/// The plate leaves a rigid stop on which it rested.
+/// Releases the plate from a rigid stop.
 fn release(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     mode.hold = PlateConstraint::Free;
     mode.w_side = -1.0;
@@ -396,7 +397,7 @@ fn release(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     }
 }
 
-/// Measures the displacement from zero where the plate is nearer to that than to the stop.
+/// Resets the origin of the displacement to zero if the plate is closer to zero than to the stop.
 pub(super) fn rebase_displacement(mode: &mut HybridMode, state: &mut State) {
     let x_m = mode.origin_m + state.x_m;
     if x_m.abs() < state.x_m.abs() {
@@ -404,7 +405,7 @@ pub(super) fn rebase_displacement(mode: &mut HybridMode, state: &mut State) {
     }
 }
 
-/// The way on which a plate at rest goes on, and the stretch of the spring into which one at the end of a stretch does.
+/// Updates the direction of a plate at rest, and the piece of the spring's law at a knot.
 pub(super) fn update_direction(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
     if mode.hold != PlateConstraint::Free {
         return;
@@ -416,7 +417,7 @@ pub(super) fn update_direction(setup: &ImpactParameters, mode: &mut HybridMode, 
     if is_at_rest && way != 0.0 {
         mode.w_side = way;
     }
-    // An infinite end has no stretch beyond it, even where a displacement overflows.
+    // There is no piece beyond an infinite end, even if the displacement overflows.
     if way > 0.0 && state.x_m >= ahead && ahead.is_finite() {
         mode.stretch += 1;
     } else if way < 0.0 && state.x_m <= behind && behind.is_finite() {
@@ -424,7 +425,7 @@ pub(super) fn update_direction(setup: &ImpactParameters, mode: &mut HybridMode, 
     }
 }
 
-/// Takes all slips to come at once: the hole is deeper by so much travel, and the energy for it is gone.
+/// Applies the total remaining slip at once: increases the depth and dissipates the energy.
 pub(super) fn apply_remaining_slip(
     setup: &ImpactParameters,
     mode: &mut HybridMode,

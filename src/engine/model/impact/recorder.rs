@@ -13,25 +13,26 @@ use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::quadrature::GAUSS_10;
 use crate::numerics::{larger, smaller};
 
-/// Rows after which only the ends of steps are kept: as many as a run's work allows.
+/// Number of rows after which only the ends of steps are kept.
 const ROWS_MAX: usize = 20_000;
-/// Hits of the stop slower than this part of the impact velocity are not events to mark.
+/// Velocity of a hit on the stop below which it is not marked, relative to the impact velocity.
 const NOTED_HIT: f64 = 1e-9;
-/// Parts of a depth by which rounding may put it off, and by which the laws of an oblique section are cut beside it.
+/// Relative tolerance of equal depths, for rounding errors.
 const SAME_DEPTH: f64 = 1e-9;
+/// Relative distance of the pieces of the area law of an oblique section from the exact depths.
 const NEAR_DEPTH: f64 = 1e-2;
 
 /// Recorder of a run.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recorder {
     pub(super) keep_series: bool,
-    /// No events are marked any more.
+    /// Whether the marking of events has ended.
     pub(super) is_over: bool,
-    /// Rows are kept at equal times so far apart, s.
+    /// Interval of rows at equal times, s.
     pub(super) every_s: Option<f64>,
     pub(super) series: Vec<Sample>,
     pub(super) events: Vec<Event>,
-    /// The energies that have to be integrated; of the others nothing.
+    /// Energies that are integrated; the other terms are 0.
     pub(super) work: EnergyLedger,
     pub(super) first_arrest: Option<Arrest>,
     pub(super) exit: Option<Departure>,
@@ -39,34 +40,35 @@ pub(super) struct Recorder {
     pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
     pub(super) loads: Loads,
-    /// Greatest displacement and when it was reached, m and s.
+    /// Maximum displacement, m.
     pub(super) farthest_m: f64,
+    /// Time of the maximum displacement, s.
     pub(super) farthest_s: f64,
-    /// Greatest speed of the plate, m/s: of one that turns nothing at the ends of steps and before events alone.
+    /// Maximum speed of the plate, m/s; without rotation only at ends of steps and before events.
     pub(super) fastest_m_s: f64,
-    /// A steep spring held the plate up to the first arrest.
+    /// Whether the plate was locked up to the first arrest.
     pub(super) was_held: bool,
     pub(super) cost: Cost,
 }
 
-/// The greatest forces of mount and joined interface.
+/// Peak forces of mount and fused interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Loads {
-    /// Sum of the forces of spring, damper and elastic stop, N.
+    /// Peak of the total force of spring, damper and elastic stop, N.
     pub(super) mount_n: f64,
-    /// Push and pull through the joined interface, over its strength in compression.
+    /// Peak compression and tension of the fused interface, relative to its limit load in compression.
     pub(super) ratios: Option<[f64; 2]>,
-    /// When a fused one was first pushed, and pulled, by more than its strength, s.
+    /// Times at which compression and tension first exceed the limit loads, s.
     pub(super) exceeded_s: [Option<f64>; 2],
-    /// Whether the interface has no strength.
+    /// Whether the interface has a limit load of zero.
     pub(super) no_strength: bool,
 }
 
-/// Signs of the mechanism's force where it pushes, and where it pulls.
+/// Signs of the mechanism's force for compression and tension of the interface.
 const COMPRESSION_TENSION_SIGNS: [f64; 2] = [1.0, -1.0];
 
 impl Recorder {
-    /// Notes the first moment.
+    /// Records the state at first contact.
     pub(super) fn begin(&mut self, equations: &Equations<'_>, state: &State) {
         let x_m = equations.displacement_m(state.x_m);
         self.farthest_m = x_m;
@@ -83,7 +85,7 @@ impl Recorder {
         self.row(equations, state);
     }
 
-    /// Notes the work in the contact and of the damper in the moment in which a steep law is left, J.
+    /// Records the work of contact and damper in the first moment, J.
     pub(super) fn first_moment(
         &mut self,
         setup: &ImpactParameters,
@@ -93,17 +95,17 @@ impl Recorder {
         self.work.damper_j += damper_j;
     }
 
-    /// The work in the hole, or of the rim of a plug.
+    /// Returns the work in the hole, or the shear work of a plug.
     fn in_hole_j(&mut self, setup: &ImpactParameters) -> &mut f64 {
         if setup.shears() { &mut self.work.shear_j } else { &mut self.work.penetration_j }
     }
 
-    /// Notes the force on the mount at a state.
+    /// Records the mount force at a state.
     fn note_mount(&mut self, equations: &Equations<'_>, state: &State) {
         self.loads.mount_n = larger(equations.mount_n(state).abs(), self.loads.mount_n);
     }
 
-    /// Notes a step, whose states are given by the part of it.
+    /// Records a step from its dense output.
     pub(super) fn step(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         self.cost.steps += 1;
         self.add_work(equations, path);
@@ -134,19 +136,20 @@ impl Recorder {
     }
 
     fn note_displacement(&mut self, x_m: f64, t_s: f64) {
-        // By more than rounding: a plate may come to its stop again and again.
+        // Increases within rounding are ignored: a plate can reach its stop many times.
         if x_m - self.farthest_m > 4.0 * f64::EPSILON * x_m.abs() {
             (self.farthest_m, self.farthest_s) = (x_m, t_s);
         }
     }
 
-    /// Notes a state that the run has come to.
+    /// Records a state.
     pub(super) fn reach(&mut self, equations: &Equations<'_>, state: &State) {
         self.note_displacement(equations.displacement_m(state.x_m), state.t_s);
         self.fastest_m_s = larger(state.w_m_s.abs(), self.fastest_m_s);
     }
 
-    /// Work in the hole, of the damper and of the elastic stop, by Gauss's rule: exact for the product of two of the step's polynomials.
+    /// Adds the work in the hole, of the damper and of the elastic stop, by Gauss quadrature; exact for products of two dense-output
+    /// polynomials.
     fn add_work(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         let is_damped = !equations.setup.damper.is_absent();
         self.work.weight_j += equations.weight_work_j(&path.looks[0], path.end());
@@ -164,9 +167,9 @@ impl Recorder {
         }
     }
 
-    /// The greatest forces of contact, mount and interface on a step.
+    /// Records the peak forces of contact, mount and interface on a step.
     fn note_forces(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
-        // Friction is no peak.
+        // Friction does not count as a peak force.
         let flows = equations.setup.law == ContactLaw::Flow;
         if equations.is_loading() || (!flows && equations.is_touching()) {
             let contact_n = |state: &State| equations.contact_n(state);
@@ -187,7 +190,7 @@ impl Recorder {
         }
     }
 
-    /// The greatest forces of the mechanism on a step on which nothing else acts on the plate.
+    /// Records the peak forces of the mechanism on a step without contact.
     fn note_mechanism(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         let force_n = |state: &State| equations.mechanism_n(state.x_m, state.w_m_s);
         let known_n = self.loads.known_n(equations, path.end());
@@ -212,8 +215,8 @@ impl Recorder {
         self.note_loads(equations, path.end(), greatest_n, |way| Some(first_s(way)));
     }
 
-    /// Notes the greatest forces of the mechanism forwards and backwards, N, at a state or on the way to it, and, if known, when they first
-    /// ask too much of a fused interface, s.
+    /// Records the peak forces of the mechanism forwards and backwards, N, and if known the time at which they first exceed the limit loads
+    /// of a fused interface, s.
     pub(super) fn note_loads(
         &mut self,
         equations: &Equations<'_>,
@@ -222,7 +225,7 @@ impl Recorder {
         first_s: impl Fn(usize) -> Option<f64>,
     ) {
         let loads = &mut self.loads;
-        // Of the force that turns the plate back the mount takes what does not turn the mass geared to it.
+        // The mount does not carry the force that accelerates the geared inertia.
         let part = 1.0 - equations.setup.turning_kg / equations.moving_kg();
         loads.mount_n = larger(part * larger(most_n[0], most_n[1]), loads.mount_n);
         let Some(strength_n) = equations.joint_n(state) else { return };
@@ -247,7 +250,7 @@ impl Recorder {
         }
     }
 
-    /// Draws a step: its rows at equal times, or at its looks.
+    /// Adds the rows of a step, at equal times or at its sampling points.
     fn draw(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         if !self.keep_series {
             return;
@@ -279,7 +282,7 @@ impl Recorder {
         }
     }
 
-    /// Notes an event and what it led to, from a state to a state.
+    /// Records an event with the states and modes before and after it.
     pub(super) fn event(
         &mut self,
         event: modes::Event,
@@ -317,7 +320,7 @@ impl Recorder {
         }
     }
 
-    /// The milestones at an event, and what is marked of it.
+    /// Records first arrest, exit and separation at an event, and marks it.
     fn mark(
         &mut self,
         event: modes::Event,
@@ -330,7 +333,7 @@ impl Recorder {
         let (velocity_m_s, plate_velocity_m_s) = (setup.projectile_m_s(to), to.w_m_s);
         let departure = Departure { t_s: to.t_s, velocity_m_s, plate_velocity_m_s };
         match event {
-            // A prescribed history goes on.
+            // The force history continues.
             modes::Event::SlipZero if !flows && old.contact == Contact::Withdrawing => {}
             modes::Event::SlipZero | modes::Event::HistoryEnd => {
                 self.arrest(after, to, old.hold == PlateConstraint::Spring);
@@ -364,7 +367,7 @@ impl Recorder {
         } else if is_new(Contact::Withdrawing) && flows {
             self.note(to.t_s, EventKind::PullOut);
         } else if new.contact == Contact::FreeFlight && old.contact != Contact::FreeFlight {
-            // A velocity within the error of a step relative to the impact velocity is rounding.
+            // A velocity below the tolerance, relative to the impact velocity, is zero.
             let is_known = departure.velocity_m_s.abs() > setup.tolerance * setup.velocity_m_s;
             let velocity_m_s = if is_known { departure.velocity_m_s } else { 0.0 };
             self.separation = Some(Departure { velocity_m_s, ..departure });
@@ -395,7 +398,7 @@ impl Recorder {
         }
     }
 
-    /// The nose is in, or its front at the rear face, where the area law changes there.
+    /// Marks the buried nose and the arrival at the rear face, at an end of a piece of the area law.
     fn pass_joint(&mut self, setup: &ImpactParameters, state: &State) {
         let geometry = &setup.geometry;
         let is_at = |depth_m: f64, part: f64| {
@@ -410,7 +413,7 @@ impl Recorder {
 }
 
 impl Loads {
-    /// The greatest force of the mechanism forwards, and backwards, below which nothing new is known of mount and interface, N.
+    /// Returns the forces of the mechanism forwards and backwards above which a recorded peak can increase, N.
     pub(super) fn known_n(&self, equations: &Equations<'_>, state: &State) -> [f64; 2] {
         match equations.joint_n(state) {
             Some(strength_n) if strength_n > 0.0 => {
@@ -429,18 +432,18 @@ impl Loads {
 }
 
 impl Equations<'_> {
-    /// Parts of its strength in compression that the joined interface bears pushed and pulled.
+    /// Returns the limit loads of the fused interface, relative to that in compression.
     fn limit_load_ratios(&self) -> [f64; 2] {
         [1.0, self.setup.grip]
     }
 
-    /// Strength of the interface through which the projectile moves with the plate, N; `None` where it does not.
+    /// Returns the limit load of the fused interface, N; `None` if the bodies are not fused.
     fn joint_n(&self, state: &State) -> Option<f64> {
         let is_joined = self.mode.contact == Contact::Fused && self.setup.law == ContactLaw::Flow;
         (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
     }
 
-    /// Kinetic energy of both bodies, J.
+    /// Returns the kinetic energy of both bodies, J.
     pub(super) fn kinetic_j(&self, state: &State) -> f64 {
         let ImpactParameters { projectile_kg, plate_kg, .. } = *self.setup;
         let (v, w) = (self.setup.projectile_m_s(state), state.w_m_s);
@@ -448,8 +451,8 @@ impl Equations<'_> {
     }
 }
 
-/// The greatest value of a force of the mechanism on a step. A power law pushes most at one of its extreme displacements, which are those
-/// of the looks: of a plate that turns within a step only rounding is left.
+/// Returns the peak of a force of the mechanism on a step. The peak of a power law is at an extreme displacement, which the sampling points
+/// give up to rounding if the plate reverses within the step.
 fn peak_n(
     equations: &Equations<'_>,
     path: &DenseOutput<'_>,
@@ -472,7 +475,7 @@ fn peak_n(
     }
 }
 
-/// The row of a state.
+/// Returns the row of a state.
 fn sample(equations: &Equations<'_>, state: &State) -> Sample {
     let Equations { setup, mode } = equations;
     let contact_n = match mode.contact {

@@ -6,7 +6,7 @@ use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::Contact;
 use crate::numerics::step::{Jacobian, Point, SecondOrderOde};
 
-/// The motion from a state on of `D` places: the projectile's travel and the plate's displacement, or the one that moves.
+/// Equations of motion from a state on, for `D` active degrees of freedom: travel of the projectile and displacement of the plate, or one.
 pub(super) struct ReducedSystem<'a, const D: usize> {
     pub(super) equations: Equations<'a>,
     pub(super) start: State,
@@ -28,7 +28,7 @@ impl<const D: usize> ReducedSystem<'_, D> {
         (self.moving([state.q_m, state.x_m]), self.moving([state.u_m_s, state.w_m_s]))
     }
 
-    /// The state at a point, after a time from the start.
+    /// Returns the state at a point, after a time from the start.
     pub(super) fn state(&self, t: f64, (places, speeds): &Point<D>) -> State {
         let Self { equations: Equations { setup, mode }, start } = self;
         let mut both = [(start.q_m, start.u_m_s), (start.x_m, start.w_m_s)];
@@ -40,7 +40,7 @@ impl<const D: usize> ReducedSystem<'_, D> {
         if self.first() == 0 || mode.contact == Contact::Fused {
             return state;
         }
-        // A projectile that is through, or before the plate, keeps its velocity.
+        // A projectile out of contact has a constant velocity.
         let v = setup.projectile_m_s(start);
         let q_m = start.q_m + v * t - setup.cos * (x_m - start.x_m);
         State { q_m, u_m_s: v - setup.cos * w_m_s, ..state }
@@ -52,7 +52,7 @@ impl<const D: usize> SecondOrderOde<D> for ReducedSystem<'_, D> {
         self.moving(self.equations.accelerations(&self.state(t, point)).into())
     }
 
-    /// Whatever the time: a force history has no slope by place or speed.
+    /// Returns the Jacobian, independent of time: a force history depends on neither position nor velocity.
     fn slopes(&self, point: &Point<D>) -> Jacobian<D> {
         let Jacobian { place, speed } = self.equations.slopes(&self.state(0.0, point));
         let part = |rows: [[f64; 2]; 2]| self.moving(rows.map(|row| self.moving(row)));

@@ -1,4 +1,4 @@
-//! The [`Run`] from what a run has come to.
+//! Results: builds a [`Run`] from the final state and the records of the loop.
 
 use std::sync::Arc;
 
@@ -17,23 +17,23 @@ use crate::model::run::{
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
 
-/// A plate slowed by a damper to this part of its speed has arrived, to be drawn.
+/// Velocity of a damped plate, relative to its maximum, at which the time series ends.
 const ARRIVED_SPEED: f64 = 1e-2;
-/// Part of a load by which it may grow without being followed.
+/// Relative increase of a peak load that does not need further simulation.
 pub(super) const GROWTH: f64 = 1e-9;
-/// Part of the greatest displacement by which it counts as reached.
+/// Tolerance of reaching the maximum displacement, relative to it.
 const REACHED: f64 = 1e-9;
-/// Part of the energy from which on a balance that does not close is reported.
+/// Energy residual above which a warning is given, relative to the energy at the start.
 const DRIFT: f64 = 1e-8;
 
-/// Part of the impact's energy from which on a weight that is not counted is reported.
+/// Work of the weight above which a warning is given if it is not included, relative to the energy of the impact.
 const WEIGHT_SHARE: f64 = 0.02;
 
-/// Changes of the contact after which the depth of a projectile that slips in its hole is given as an interval. What the hole may still
-/// deepen falls like one over their square.
+/// Number of contact changes after which the depth of a slipping projectile is given as an interval. The remaining uncertainty decreases
+/// with the square of the number.
 const CHANGES_TO_INTERVAL: usize = 64;
 
-/// State of one impact, from which all results follow.
+/// State of an impact, from which all results follow.
 #[derive(Clone, Debug)]
 pub(super) struct ImpactRun<'a> {
     pub(super) scene: &'a Arc<Scene>,
@@ -41,11 +41,11 @@ pub(super) struct ImpactRun<'a> {
     pub(super) mode: HybridMode,
     pub(super) state: State,
     pub(super) record: Recorder,
-    /// Outcome and greatest displacement, once nothing can change them any more; infinite where nothing stops the plate.
+    /// Final outcome and maximum displacement; infinite if nothing stops the plate, `None` if not final.
     pub(super) decided: Option<(Outcome, f64)>,
-    /// Greatest further travel of the bottom of the hole once the outcome is decided, m; else 0.
+    /// Upper bound of the further depth of the hole after the outcome is decided, m; else 0.
     pub(super) deepens_m: f64,
-    /// When it ends at the latest, s; infinite without a horizon.
+    /// Horizon, s; infinite without one.
     pub(super) horizon_s: f64,
 }
 
@@ -54,12 +54,12 @@ impl ImpactRun<'_> {
         Equations { setup: self.setup, mode: &self.mode }
     }
 
-    /// Whether the scene leaves open when it ends.
+    /// Returns `true` if the scene has no horizon.
     pub(super) fn has_no_horizon(&self) -> bool {
         self.scene.run.horizon_s.is_none()
     }
 
-    /// Finds outcome and greatest displacement, once nothing can change them any more.
+    /// Sets outcome and maximum displacement if they are final.
     pub(super) fn decide(&mut self) {
         if self.decided.is_some() {
             return;
@@ -72,8 +72,8 @@ impl ImpactRun<'_> {
         self.deepens_m = deepens_m;
     }
 
-    /// The arrest of a projectile that slips to and fro in its hole, and the greatest further travel of its bottom, m, once that is less than
-    /// the tolerance or the contact has changed often.
+    /// Returns the arrest of a projectile that slips back and forth in its hole, with the bound of its further depth, m; `None` unless the
+    /// bound is below the tolerance, or after many contact changes.
     fn arrested_within(&self) -> Option<(Outcome, f64)> {
         let deepens_m =
             self.equations().deepens_at_most_m(&self.state).filter(|_| self.has_no_horizon())?;
@@ -82,7 +82,7 @@ impl ImpactRun<'_> {
         (is_little || is_long).then_some((Outcome::Arrested, deepens_m))
     }
 
-    /// Whether what follows may load the mount, or the joined interface, more than they have been.
+    /// Returns `true` if later motion can increase the peak loads of mount or interface.
     pub(super) fn loads_may_grow(&mut self) -> bool {
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         let equations = Equations { setup, mode };
@@ -103,12 +103,12 @@ impl ImpactRun<'_> {
         {
             return grows;
         }
-        // Nothing takes any of the energy on the way to where the spring pushes most, nor back.
+        // The energy is conserved on the way to the peak of the spring force and back.
         record.note_loads(&equations, state, most_n, |_| None);
         false
     }
 
-    /// When the end of the contact has been drawn, s.
+    /// Returns the end of the time series of the contact, s.
     pub(super) fn tail_s(&self) -> f64 {
         let record = &self.record;
         let contact_s = record.first_arrest.map(|arrest| arrest.t_s);
@@ -116,10 +116,10 @@ impl ImpactRun<'_> {
         CONTACT_WINDOW * end_s.unwrap_or(self.state.t_s)
     }
 
-    /// Whether there is still something to draw: the end of the contact, or the way to the greatest displacement.
+    /// Returns `true` while the time series is incomplete: end of the contact, motion to the maximum displacement.
     pub(super) fn is_drawn(&self) -> bool {
         let equations = self.equations();
-        // What a plate at rest still does is rounding.
+        // Further motion of a plate at rest is rounding error.
         let is_at_rest = equations.plate_rests() || equations.is_at_rest(&self.state);
         if is_at_rest && self.mode.contact == Contact::Fused {
             return false;
@@ -133,7 +133,7 @@ impl ImpactRun<'_> {
         self.setup.law == ContactLaw::Flow
     }
 
-    /// Travel of the bottom of the hole, m.
+    /// Returns the travel at the bottom of the hole, m.
     fn deepest_m(&self) -> f64 {
         match self.mode.contact {
             Contact::Penetrating => larger(self.state.q_m, self.mode.deepest_m),
@@ -141,19 +141,19 @@ impl ImpactRun<'_> {
         }
     }
 
-    /// Whether the plate is on its way to a greatest displacement that is known already.
+    /// Returns `true` if the plate has not reached its final maximum displacement.
     pub(super) fn is_before_max_displacement(&self) -> bool {
         let reached_m = self.record.farthest_m;
         self.decided.is_some_and(|(_, far_m)| far_m - reached_m > REACHED * far_m.abs())
     }
 
-    /// The greatest displacement, m: where nothing stops the plate, that at the horizon it was given.
+    /// Returns the maximum displacement, m; up to the horizon if nothing stops the plate.
     fn max_displacement_m(&self) -> Option<f64> {
         let so_far_m = self.record.farthest_m;
         match self.decided {
             Some((_, far_m)) if far_m.is_finite() => Some(larger(far_m, so_far_m)),
             Some(_) => (!self.has_no_horizon()).then_some(so_far_m),
-            // Of an undecided run as far as there is no energy to go farther; the weight goes on giving.
+            // For an undecided run it is final if the energy allows no more; not with the weight, which adds energy.
             None if self.setup.weight_n > 0.0 => None,
             None => {
                 let equations = self.equations();
@@ -166,8 +166,8 @@ impl ImpactRun<'_> {
         }
     }
 
-    /// The greatest depth for which there is energy left, m: all of it at work at the bottom of the hole. `None` where that would
-    /// be enough to perforate, or where a spring may give more than it has taken.
+    /// Returns an upper bound of the depth, m, from the remaining energy; `None` if it perforates, or if a spring can release more energy
+    /// than it has stored.
     fn depth_at_most_m(&self) -> Option<f64> {
         let geometry = &self.setup.geometry;
         self.setup.spring.power().filter(|_| self.flows() && self.setup.weight_n == 0.0)?;
@@ -177,13 +177,13 @@ impl ImpactRun<'_> {
         Some(geometry.depth_m(larger(travel_m, self.deepest_m())))
     }
 
-    /// The greatest final depth of an arrested projectile that still slips, m; `None` if it has come to rest.
+    /// Returns an upper bound of the final depth of an arrested projectile that still slips, m; `None` if it is at rest.
     fn within_m(&self) -> Option<f64> {
         let most_m = self.setup.geometry.depth_m(self.mode.deepest_m + self.deepens_m);
         (self.deepens_m > 0.0).then_some(most_m)
     }
 
-    /// The final depth of a hole that is so deep now, and may become so deep at most, m; `None` of one that is not known.
+    /// Returns the final depth, m, from the present depth and its upper bound; `None` if it is not final.
     fn final_m(
         &self,
         outcome: Outcome,
@@ -194,7 +194,7 @@ impl ImpactRun<'_> {
         match outcome {
             Outcome::Arrested | Outcome::Separated => hole_m,
             Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
-            // A hole that can grow by less than the error of the run has its final depth.
+            // A change below the error of the run is negligible.
             Outcome::Moving | Outcome::Unmeasured => {
                 let (now_m, most_m) = (hole_m?, at_most_m?);
                 (most_m - now_m <= self.scene.run.tolerance * now_m).then_some(now_m)
@@ -202,13 +202,13 @@ impl ImpactRun<'_> {
         }
     }
 
-    /// Depth on a rigid mount, m; `None` if that is perforated, or if the contact model knows no depth.
+    /// Returns the depth on a rigid mount, m; `None` for a perforation, or a contact model without depth.
     fn baseline_m(&self) -> Option<f64> {
         let geometry = &self.setup.geometry;
         if !self.flows() {
             return self.setup.law.on_rigid_mount_m().map(|q_m| geometry.depth_m(q_m));
         }
-        // Once the plug is picked up, the geometry is no longer that of the first contact.
+        // The geometry after the plug is picked up differs from that at first contact.
         let of_scene;
         let geometry = if self.setup.shears() {
             of_scene = Geometry::from_scene(self.scene);
@@ -225,7 +225,7 @@ impl ImpactRun<'_> {
         let added_kg = Inertia::from_scene(self.scene).added_kg;
         let x_m = self.equations().displacement_m(state.x_m);
         let stored_j = self.mode.spring.energy(x_m);
-        // An absorber that is being crushed gives back less than was spent on it.
+        // An absorber releases less energy than was spent on crushing it.
         let crushed = setup.crushed_at(x_m, self.mode.crushed_m);
         let spring_j = crushed.map_or(stored_j, |(spring, _)| spring.energy(x_m));
         let [initial_kinetic_j, initial_plate_j] = setup.initial_kinetic_j;
@@ -254,7 +254,7 @@ impl ImpactRun<'_> {
         let speed = self.record.fastest_m_s;
         MechanismLoad {
             stored_j: ends.filter(|_| !spring.is_absent()).map(|[from, to]| {
-                // An absorber keeps what crushes it.
+                // An absorber does not store the energy of crushing.
                 let crushed = self.setup.crushed_at(to, 0.0);
                 let stored_j = || spring.greatest_energy(from, to);
                 crushed.map_or_else(stored_j, |(crushed, _)| {
@@ -296,7 +296,7 @@ impl ImpactRun<'_> {
         let far_m = run.max_plate_displacement_m.unwrap_or(self.record.farthest_m);
         let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
         let limits = load::exceeded(scene, at_m).map(RunWarning::Limit).filter(|_| !setup.still);
-        // The effects that the contact model does not contain.
+        // Effects that the contact model does not include.
         let depth_m = run.final_penetration_m.filter(|_| !self.flows());
         let is_through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);
         let is_plastic = !self.flows() && scene.interface.law == InterfaceLaw::Plastic;
@@ -313,7 +313,7 @@ impl ImpactRun<'_> {
             (setup.shears() && outcome != Outcome::Perforated).then_some(RunWarning::PlugStopped),
             setup.law.overruns(first_arrest.map(|arrest| arrest.t_s)),
             omitted_weight.map(|share| RunWarning::WeightOmitted { share }),
-            // What goes through the first plate of a stack meets the next; a model without a depth has no baseline to miss.
+            // No warning for a stack, where the projectile hits the next plate, or for a model without depth.
             (baseline_penetration_m.is_none() && self.flows() && !scene.is_stack())
                 .then_some(RunWarning::NoBaseline),
             is_moving.then_some(RunWarning::StillMoving { outcome, at_least }),
@@ -321,8 +321,8 @@ impl ImpactRun<'_> {
         happened.into_iter().flatten().chain(limits).chain(notes.into_iter().flatten()).collect()
     }
 
-    /// The greatest tension that a fused interface carried, over its strength in tension; infinite where it has none, `None` where it
-    /// can let go.
+    /// Returns the maximum tension of a fused interface, relative to its limit load; infinite without one, `None` for an interface that can
+    /// separate.
     fn tension(&self) -> Option<f64> {
         let loads = &self.record.loads;
         let [_, pull] = loads.ratios.filter(|_| !self.setup.plastic)?;
@@ -355,7 +355,7 @@ impl ImpactRun<'_> {
     }
 }
 
-/// The results of a run that ended for this reason.
+/// Builds the results of a run with the reason for its end.
 pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let geometry = &course.setup.geometry;
     let outcome = course.decided.map_or_else(
@@ -369,13 +369,13 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let final_penetration_m = course.final_m(outcome, hole_m, penetration_at_most_m);
     let max_plate_displacement_m = course.max_displacement_m();
     let is_bounded = course.decided.is_none_or(|(_, far_m)| far_m.is_finite());
-    // On a rigid mount both are the same, to the last digit.
+    // On a rigid mount both depths are identical.
     let is_own = course.setup.still && !course.flows();
     let baseline_m = final_penetration_m.filter(|_| is_own).or_else(|| course.baseline_m());
     let series = std::mem::take(&mut course.record.series);
     let mut events = std::mem::take(&mut course.record.events);
     let record = &course.record;
-    // A turn that was passed later, on a stop, was not the greatest displacement.
+    // A reversal before the maximum displacement is not marked.
     events.retain(|event| {
         event.kind != EventKind::GreatestDisplacement || event.t_s >= record.farthest_s
     });

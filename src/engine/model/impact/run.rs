@@ -1,4 +1,7 @@
-//! The loop: step, locate, land, react, record.
+//! Integration loop of a hybrid system.
+//!
+//! Each pass computes a step, locates the first event on its dense output, repeats the step so that it ends at the event, applies the
+//! transition to the next mode, and records the results.
 
 use std::sync::Arc;
 
@@ -17,36 +20,38 @@ use crate::numerics::{larger, smaller};
 
 /// Length of the first step in passages of a tip radius.
 const FIRST_STEP: f64 = 0.5;
-/// Part of a step that is tried where an event may lie before the first look at it: the looks are a sixteenth of a step apart.
+/// Step-size factor if an event can precede the first sampling point, which is at this fraction of the step.
 const UNRESOLVED_EVENT_CUT: f64 = 1.0 / 16.0;
-/// Part of a step from the end of which its polynomial is followed to an event: over so little it is as good as at the end.
+/// Distance from the end of a step, relative to its size, within which an event is taken from the dense output. The error of the dense
+/// output there is that of the end.
 const NEAR_END: f64 = 1e-5;
-/// Landing steps that are tried on the way to one event.
+/// Maximum number of steps that are tried to end at an event.
 const LANDINGS_MAX: usize = 6;
-/// Secants to a root, of which each adds more than half as many digits again.
+/// Maximum number of secant iterations for the step size that ends at an event; the order of convergence is 1.6.
 const SECANTS: usize = 8;
-/// Part of a passage of the tip radius that is no time.
+/// Minimum step size, relative to R / v_i; smaller steps do not change t.
 const MIN_STEP_FRACTION: f64 = 1e-15;
-/// Part of a gap by which rounding may put a state beyond a second event where it lands on a first.
+/// Tolerance of an event function for a second event at the same time, relative to its scale: rounding can put the state beyond it.
 const SIMULTANEOUS_EVENT_TOLERANCE: f64 = 1e-9;
 /// Turns of the plate and changes of its contact after the first contact from which on these, and not the steps between them, use up the
 /// work of a run. Decided runs rarely have more.
 const CHANGES_FEW: usize = 100;
-/// Turns of the plate to which it is followed for its loads, forward and back, and steps in which one that creeps may not come to them.
+/// Number of reversals for which the plate is simulated after the outcome is decided, for its peak loads: one forward, one back.
 const TURNS_FOLLOWED: usize = 2;
+/// Maximum number of steps of that simulation; a strongly damped plate may not reverse.
 const STEPS_FOLLOWED: usize = 1_000;
-/// Steps for which it is drawn after the results are known: a stiff mount may oscillate a million times meanwhile.
+/// Maximum number of steps for the time series after the results are known; a stiff mount can oscillate a million times meanwhile.
 const STEPS_DRAWN: usize = 200;
 
-/// A run in progress.
+/// State of a run in progress.
 struct IntegrationLoop<'a, M, const S: usize> {
     course: ImpactRun<'a>,
     stepper: &'a M,
-    /// The event on which the state is, until a step has left it.
+    /// Event at the present state, until a step has left it.
     last: Option<Event>,
-    /// Length and acceleration of the step that ends at the state, in the same mode.
+    /// Size and acceleration of the previous step, if it is in the same mode.
     previous: Option<(f64, [[f64; S]; 2])>,
-    /// Length of the next step, s.
+    /// Size of the next step, s.
     h_s: f64,
     /// Work after which the run ends undecided.
     work_max: usize,
@@ -60,7 +65,7 @@ pub(super) fn run<const S: usize>(
     settings: Settings,
     observer: Observer<'_>,
 ) -> Run {
-    // A plate that is all plug has no hole ahead of it.
+    // Without a hole ahead of it, a plug comprises the whole thickness.
     let setup = setup.at(0.0);
     let (mode, state) = modes::first(setup);
     let horizon_s = scene.run.horizon_s.unwrap_or(f64::INFINITY);
@@ -89,7 +94,7 @@ pub(super) fn run<const S: usize>(
     if end == EndReason::Decided {
         end = progress.extend_for_output(observer);
     }
-    // Results are those of when all was decided; rows, events and loads those of the run that went on.
+    // The results are those at the decision; rows, events and loads include the continued run.
     let Recorder { series, events, loads, .. } = progress.course.record;
     (course.record.series, course.record.events, course.record.loads) = (series, events, loads);
     results::gather(course, end)
@@ -99,7 +104,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
     fn begin(&mut self) {
         let ImpactRun { setup, mode, state, record, .. } = &mut self.course;
         record.begin(&Equations { setup, mode }, state);
-        // A law that is infinitely steep where the plate begins is left by the balance of forces.
+        // The start from a singular zero is analytic.
         if setup.starts_steep() && mode.hold == PlateConstraint::Free {
             let (after, works_j) = Equations { setup, mode }.after_first_moment();
             *state = after;
@@ -115,7 +120,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         self.course.state.t_s >= t_s * (1.0 - 4.0 * f64::EPSILON)
     }
 
-    /// Goes on until all is decided, or to the horizon that the scene gives.
+    /// Integrates until outcome and displacement are final, or up to the horizon.
     fn run_until_decided(&mut self, observer: Observer<'_>) -> EndReason {
         loop {
             self.course.decide();
@@ -135,7 +140,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         let missed = self.pending_event();
         let so_far = || Some(results::gather(self.course.clone(), EndReason::Cancelled));
         let look = RunSnapshot { t_s: self.course.state.t_s, so_far: &so_far };
-        // An event replaces the row of the state on it.
+        // The row of an event replaces that of the state before.
         if missed.is_none() && observer(&look).is_break() {
             return Some(EndReason::Cancelled);
         }
@@ -153,8 +158,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         None
     }
 
-    /// Goes on after the results are known: for the greatest loads of mount and interface, to the second turn of the plate, and to draw the
-    /// end of the contact and the way to the greatest displacement.
+    /// Continues after the results are final: to the second reversal for the peak loads of mount and interface, and for the time series to
+    /// the end of the contact and to the maximum displacement.
     fn extend_for_output(&mut self, observer: Observer<'_>) -> EndReason {
         let is_drawn = self.course.record.keep_series && self.course.has_no_horizon();
         let Cost { turns, steps, .. } = self.course.record.cost;
@@ -185,7 +190,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         };
         let drawn = self.course.record.loads;
         let mut known = loads.unwrap_or(drawn);
-        // By more than rounding rows that are drawn later exceed it only through errors of their steps.
+        // Later rows exceed the peak by more than rounding only through the errors of their steps.
         if drawn.mount_n > known.mount_n * (1.0 + GROWTH) {
             known.mount_n = drawn.mount_n;
         }
@@ -193,7 +198,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         ended.filter(|end| *end == EndReason::Cancelled).unwrap_or(EndReason::Decided)
     }
 
-    /// An event that rounding, or another event, has put behind the state.
+    /// Returns an event whose function is already beyond zero, by rounding or because of another event.
     fn pending_event(&self) -> Option<Event> {
         let equations = self.course.equations();
         if equations.locks_again(&self.course.state, self.course.record.farthest_m) {
@@ -208,12 +213,12 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         events.find(|event| is_behind(event) && !self.is_undone_by(*event))
     }
 
-    /// Whether an event undoes the one on which the state is: its gap is zero but for rounding.
+    /// Returns `true` if an event is the reverse of the event at the present state: its function is zero, apart from rounding.
     fn is_undone_by(&self, event: Event) -> bool {
         self.last.is_some_and(|last| last.is_undone_by(event))
     }
 
-    /// Takes an event at a state on it.
+    /// Applies the transition of an event at a state.
     fn apply_transition(&mut self, event: Event, on_it: State) {
         let setup = self.course.setup;
         let mut state = on_it;
@@ -230,7 +235,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         let before_j = new.kinetic_j(&state);
         (self.course.mode, self.course.state) = (next, state);
         self.course.setup = setup_after;
-        // What is to be seen up to a horizon happens when it does.
+        // With a horizon, the slips are simulated in time.
         if !self.course.has_no_horizon() {
             return;
         }
@@ -315,11 +320,11 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                 match self.step_to_event(law, &events, (which, theta * h_s), &step) {
                     Ok(state) => {
                         self.apply_transition(events[which], state);
-                        // Joined or apart the bodies move more slowly than where they push on each other.
+                        // Fused or separate bodies have longer time scales than bodies in contact.
                         let is_touching = self.course.equations().is_touching();
                         let most_s =
                             if is_touching { self.course.setup.passage_s() } else { f64::INFINITY };
-                        // Events that rounding repeats at one place are left behind by a step that moves the time.
+                        // A minimum step size advances the time past events that rounding repeats.
                         self.h_s = larger(smaller(self.h_s, most_s), no_time_s);
                     }
                     Err(shorter_s) => self.h_s = shorter_s,
@@ -329,8 +334,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         None
     }
 
-    /// The state on an event near the end of a step of about this length, by a step that ends there, guessed from the `near` one that
-    /// goes on beyond; or how long a step to try, where that does not succeed or another event comes first.
+    /// Repeats a step so that it ends at an event; `near` is the step that contains the event. Returns the state, or the step size to try
+    /// if that fails or another event precedes it.
     fn step_to_event<const D: usize>(
         &mut self,
         law: &ReducedSystem<'_, D>,
@@ -371,13 +376,13 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
     }
 }
 
-/// The root of a function near 1, by secants; far from it where there is none close by.
+/// Returns the root of a function near 1 by the secant method; a value far from 1 if there is none.
 fn near_root(f: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b) = (1.0 - 1e-3, 1.0);
     let (mut at_a, mut at_b) = (f(a), f(b));
     for _ in 0..SECANTS {
         let change = at_b - at_a;
-        // Where both are the same there is nothing but rounding left.
+        // Equal values differ only by rounding errors.
         if at_b == 0.0 || change == 0.0 {
             break;
         }

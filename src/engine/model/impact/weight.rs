@@ -1,8 +1,8 @@
-//! Weight of the projectile: it acts along the plate's normal as long as the bodies touch.
+//! Weight of the projectile along the normal of the plate, as long as the bodies are in contact.
 //!
-//! The plate's own weight is in equilibrium with the spring at x = 0. With the weight's part P along the projectile's axis
-//! `m_p v' = P - F`; joined bodies have `M w' = P cos - G`, M their mass along the normal, so that the interface carries
-//! `m_p cos G/M + P m_2/M`. A projectile that has left the plate flies on without weight: a second fall is not in the model.
+//! The weight of the plate is in equilibrium with the spring at x = 0. With the component P of the weight along the axis of the projectile,
+//! `m_p v' = P - F`. Fused bodies have `M w' = P cos - G` with their mass M along the normal; the interface carries
+//! `m_p cos G/M + P m_2/M`. A projectile that has left the plate has no weight: the model does not include a second fall.
 
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
 use crate::model::impact::modes::{Contact, HybridMode};
@@ -10,7 +10,7 @@ use crate::model::mechanism::Spring;
 use crate::numerics::larger;
 
 impl ImpactParameters {
-    /// Energy of joined bodies in spring, elastic stop and weight, or without the weight of bodies that are not joined.
+    /// Returns the combined law of spring and elastic stop, for fused bodies with the weight.
     pub(super) fn elastic(&self, spring: &Spring, contact: Contact) -> Spring {
         let elastic = self.with_stop(spring);
         let is_heavy = self.weight_n > 0.0 && contact == Contact::Fused;
@@ -20,7 +20,7 @@ impl ImpactParameters {
         elastic.beside_force(-self.weight_n * self.cos, self.rigid_stop_m())
     }
 
-    /// Updates the energy law of a mode whose contact was another.
+    /// Updates the combined law after a change of contact.
     pub(super) fn update_weight(&self, mode: &mut HybridMode, before: Contact) {
         let changes = (mode.contact == Contact::Fused) != (before == Contact::Fused);
         if changes && self.weight_n > 0.0 {
@@ -30,18 +30,18 @@ impl ImpactParameters {
 }
 
 impl Equations<'_> {
-    /// Weight along the projectile's axis, N; none once the bodies have parted.
+    /// Returns the weight along the axis of the projectile, N; 0 after separation.
     pub(super) fn weight_n(&self) -> f64 {
         let is_gone = matches!(self.mode.contact, Contact::FreeFlight | Contact::Perforated);
         if is_gone { 0.0 } else { self.setup.weight_n }
     }
 
-    /// Weight that drives joined bodies along the plate's normal, N.
+    /// Returns the weight of fused bodies along the normal of the plate, N.
     pub(super) fn joined_weight_n(&self) -> f64 {
         if self.mode.contact == Contact::Fused { self.setup.weight_n * self.setup.cos } else { 0.0 }
     }
 
-    /// Part of the weight that the joined interface carries besides its part of the mechanism's force, N.
+    /// Returns the part of the weight that the fused interface carries, N.
     pub(super) fn carried_weight_n(&self) -> f64 {
         let setup = self.setup;
         if self.mode.contact == Contact::Fused {
@@ -51,7 +51,7 @@ impl Equations<'_> {
         }
     }
 
-    /// The force that the joined interface carries, positive where it is pushed, N.
+    /// Returns the force of the fused interface, positive in compression, N.
     pub(super) fn interface_force_n(&self, state: &State) -> f64 {
         if self.plate_rests() || self.creeps(state) {
             return self.weight_n();
@@ -60,12 +60,12 @@ impl Equations<'_> {
             + self.carried_weight_n()
     }
 
-    /// Work of the weight on a step, J.
+    /// Returns the work of the weight on a step, J.
     pub(super) fn weight_work_j(&self, from: &State, to: &State) -> f64 {
         self.weight_n() * (to.q_m - from.q_m + self.setup.cos * (to.x_m - from.x_m))
     }
 
-    /// Accelerations of slip and plate with those that the weight adds.
+    /// Adds the weight to the accelerations of relative displacement and plate.
     #[inline]
     pub(super) fn with_weight(&self, (slip, plate): (f64, f64)) -> (f64, f64) {
         let setup = self.setup;
@@ -77,14 +77,14 @@ impl Equations<'_> {
         }
     }
 
-    /// Greatest push and pull on the joined interface with the weight, from those of the forces that drive joined bodies, N.
+    /// Adds the weight to the bounds of compression and tension of the fused interface, N.
     pub(super) fn loads_with_weight_n(&self, [push_n, pull_n]: [f64; 2]) -> [f64; 2] {
         let is_joined = self.mode.contact == Contact::Fused;
         let weight_n = if is_joined { self.setup.weight_n } else { 0.0 };
         [push_n + weight_n, larger(pull_n - weight_n, 0.0)]
     }
 
-    /// Greatest forces of the mechanism forwards and backwards with these loads of the joined interface, N.
+    /// Returns the forces of the mechanism forwards and backwards at given loads of the fused interface, N.
     pub(super) fn mechanism_bounds_n(&self, [push_n, pull_n]: [f64; 2]) -> [f64; 2] {
         let carried_n = self.carried_weight_n();
         [push_n - carried_n, pull_n + carried_n]
