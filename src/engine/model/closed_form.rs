@@ -1,15 +1,15 @@
-//! Closed forms: arrest and perforation of a plate that is rigid, or free of spring and damper.
+//! Closed forms of arrest and perforation for a plate that is rigid, or free (without spring and damper).
 //!
-//! Relative motion of two bodies that only push on each other is that of one body of the reduced mass mu (the projectile's own
-//! mass for a rigid plate). With V(q) the volume swept, d(u²)/dV = -2 (S + c u²)/mu, so that
-//! u² = [(S + c v²) exp(-2 c V/mu) - S]/c: the shot stops where V = mu/(2c) ln(1 + c v²/S), and has its ballistic limit at
-//! v² = (S/c) (exp(2 c V/mu) - 1) with V the volume of the whole passage. Time is one quadrature. A free plate is moved as far as the
-//! momentum of both bodies asks.
+//! The relative motion is that of one body with the reduced mass mu (the mass of the projectile for a rigid plate). With the swept volume
+//! V(q), d(u²)/dV = -2 (S + c u²)/mu and u² = [(S + c v²) exp(-2 c V/mu) - S]/c. The shot stops at V = mu/(2c) ln(1 + c v²/S). The
+//! ballistic limit is v² = (S/c) (exp(2 c V/mu) - 1) with the volume V of the whole passage. The time is a quadrature. The displacement of
+//! a free plate follows from the conservation of momentum.
 //!
-//! A nose that shears out a plug opens a hole of the volume V ahead of it and arrives with `u_1`, keeps `m_p/(m_p + m_k)` of that when it
-//! picks up the plug, and perforates if `mu_2/2` times the square of what is left exceeds the work W of shearing, `mu_2` the reduced mass of
-//! `m_p + m_k` and `m_2 - m_k`. So the limit has `u_1`² = 2 W `(m_p + m_k)²/(mu_2 m_p²)`, and v² = `u_1`² exp(x) + (S/c)(exp(x) - 1) with
-//! x = 2 c V/mu. Shearing is u' = -(pi `D_p` `tau/mu_2`)(`h_p` - s): hyperbolic functions of the time.
+//! A nose that shears out a plug opens a hole of volume V in front of it and arrives with `u_1`. Picking up the plug reduces the relative
+//! velocity by the factor `m_p/(m_p + m_k)`. The shot perforates if the remaining energy, with the reduced mass `mu_2` of `m_p + m_k` and
+//! `m_2 - m_k`, exceeds the work W of shearing. The limit thus has `u_1`² = 2 W `(m_p + m_k)²/(mu_2 m_p²)`, and
+//! v² = `u_1`² exp(x) + (S/c)(exp(x) - 1) with x = 2 c V/mu. Shearing follows u' = -(pi `D_p` `tau/mu_2`)(`h_p` - s), with hyperbolic
+//! functions of time as solution.
 
 use crate::model::contact::{AreaPiece, Geometry};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
@@ -20,20 +20,20 @@ use crate::numerics::quadrature::converged;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
-/// Penetration of a single body with the reduced mass.
+/// Penetration of a body with the reduced mass.
 #[derive(Clone, Copy, Debug)]
 pub struct Passage<'a> {
     /// Depth and area laws.
     pub geometry: &'a Geometry,
-    /// 1/mu, 1/kg.
+    /// Inverse of the reduced mass, 1/mu, 1/kg.
     pub mobility_per_kg: f64,
-    /// `S_y`, Pa.
+    /// Strength `S_y`, Pa.
     pub strength_pa: f64,
-    /// c, kg/m³.
+    /// Drag coefficient times half the density, c, kg/m³.
     pub drag_kg_m3: f64,
     /// Relative velocity at first contact, m/s.
     pub velocity_m_s: f64,
-    /// Shearing of the plug behind the hole; `None` for a nose that pushes the metal aside.
+    /// Shearing of the plug behind the hole; `None` for a nose without a plug.
     shearing: Option<Shearing>,
 }
 
@@ -41,30 +41,31 @@ pub struct Passage<'a> {
 #[derive(Clone, Copy, Debug)]
 struct Shearing {
     plug: Plug,
-    /// `1/mu_2`, 1/kg.
+    /// Inverse of the reduced mass with the plug, `1/mu_2`, 1/kg.
     mobility_per_kg: f64,
-    /// Part of the relative velocity that is left when the plug is picked up.
+    /// Factor of the relative velocity when the plug is picked up.
     kept: f64,
 }
 
 impl Shearing {
-    /// Slip at which a projectile stops that has picked up the plug with this relative velocity, m; `None` if it goes through.
+    /// Returns the slip at which the projectile with its plug stops, from the relative velocity after the pick-up, m; `None` if it
+    /// perforates.
     fn arrest_m(&self, slip_m_s: f64) -> Option<f64> {
         let Plug { thickness_m, work_j, slip_m, .. } = self.plug;
         let share = 0.5 * slip_m_s * slip_m_s / (self.mobility_per_kg * work_j);
-        // W = F(0) (s_f - s_f²/(2 h_p)): the energy as a part of the work through the whole thickness.
+        // W = F(0) (s_f - s_f²/(2 h_p)); the energy is expressed relative to the work through the whole thickness.
         let part = slip_m / thickness_m;
         let whole = share * part * (2.0 - part);
         (share < 1.0).then(|| thickness_m * whole / (1.0 + (1.0 - whole).sqrt()))
     }
 
-    /// Square of the relative velocity with which a plug is to be picked up that is to have this one after a slip, m²/s².
+    /// Returns the square of the relative velocity after the pick-up that leaves a given velocity after a slip, m²/s².
     fn slip_squared_before(&self, slip_m: f64, left: f64) -> f64 {
         let work_j = 0.5 * slip_m * (self.plug.force_n(0.0) + self.plug.force_n(slip_m));
         left + 2.0 * work_j * self.mobility_per_kg
     }
 
-    /// Time from the pick-up with this relative velocity to a slip, with what is left of the velocity there, s.
+    /// Returns the time from the pick-up to a slip, from the relative velocities at both, s.
     fn time_s(&self, slip_m_s: f64, slip_m: f64, left_m_s: f64) -> f64 {
         let Plug { thickness_m, diameter_m, shear_pa, .. } = self.plug;
         let rate = (std::f64::consts::PI * diameter_m * shear_pa * self.mobility_per_kg).sqrt();
@@ -73,12 +74,12 @@ impl Shearing {
 }
 
 impl<'a> Passage<'a> {
-    /// A scene's shot on a rigid mount.
+    /// Creates the passage of a shot on a rigid mount.
     pub fn rigid(scene: &Scene, geometry: &'a Geometry) -> Self {
         Self::unsprung(scene, geometry, false)
     }
 
-    /// Builds the passage for a free plate (`moves`) or a rigid one; velocities are relative to the plate.
+    /// Creates the passage for a free plate (`moves`) or a rigid one; velocities are relative to the plate.
     pub fn unsprung(scene: &Scene, geometry: &'a Geometry, moves: bool) -> Self {
         let cos = geometry.nose.cos;
         let projectile_kg = scene.projectile.mass_kg;
@@ -105,7 +106,7 @@ impl<'a> Passage<'a> {
         }
     }
 
-    /// Volume that stops the shot, m³; `None` when nothing stops it (no strength).
+    /// Returns the swept volume at which the shot stops, m³; `None` without strength.
     pub fn stopping_volume_m3(&self) -> Option<f64> {
         let (s, c, v) = (self.strength_pa, self.drag_kg_m3, self.velocity_m_s);
         if s == 0.0 {
@@ -117,7 +118,7 @@ impl<'a> Passage<'a> {
         Some(0.5 / (c * self.mobility_per_kg) * (c * v * v / s).ln_1p())
     }
 
-    /// Travel at which the shot comes to rest, m; `None` where it perforates.
+    /// Returns the travel at which the shot stops, m; `None` for a perforation.
     pub fn arrest_m(&self) -> Option<f64> {
         let in_hole_m = || self.geometry.travel_at_volume_m(self.stopping_volume_m3()?);
         let in_plug_m =
@@ -125,18 +126,18 @@ impl<'a> Passage<'a> {
         in_hole_m().or_else(in_plug_m)
     }
 
-    /// Relative velocity once the plug is picked up; without a plug, once the nose is through, m/s.
+    /// Returns the relative velocity after the plug is picked up; without a plug, after the nose is through, m/s.
     fn picked_up_m_s(&self) -> f64 {
         let kept = self.shearing.map_or(1.0, |shearing| shearing.kept);
         kept * self.slip_squared_at(self.geometry.exit_m).sqrt()
     }
 
-    /// Travel at which nothing resists any more, m.
+    /// Returns the travel at which the resistance ends, m.
     fn through_m(&self) -> f64 {
         self.geometry.exit_m + self.shearing.map_or(0.0, |shearing| shearing.plug.slip_m)
     }
 
-    /// Relative velocity of a shot that perforates once it is through, m/s; `None` for one that is stopped.
+    /// Returns the relative velocity after a perforation, m/s; `None` if the shot is stopped.
     pub fn left_m_s(&self) -> Option<f64> {
         let picked_up_m_s = self.picked_up_m_s();
         let through = self
@@ -146,7 +147,7 @@ impl<'a> Passage<'a> {
         is_through.then(|| larger(picked_up_m_s * picked_up_m_s - through, 0.0).sqrt())
     }
 
-    /// u² before a volume is swept, m²/s², where it is `left` (m/s)² after that.
+    /// Returns u² before a volume is swept from u² after (`left`), m²/s².
     fn slip_squared_before(&self, volume_m3: f64, left: f64) -> f64 {
         let (s, c) = (self.strength_pa, self.drag_kg_m3);
         if c == 0.0 {
@@ -155,19 +156,19 @@ impl<'a> Passage<'a> {
         left + (s / c + left) * (self.decay_per_m3() * volume_m3).exp_m1()
     }
 
-    /// 2 c/mu, 1/m³: the part that drag takes of u² per volume swept.
+    /// Returns 2 c/mu, 1/m³: the relative decrease of u² by drag for a unit of swept volume.
     fn decay_per_m3(&self) -> f64 {
         2.0 * self.drag_kg_m3 * self.mobility_per_kg
     }
 
-    /// u² after a travel that is not farther than the arrest, m²/s².
+    /// Returns u² at a travel up to the arrest, m²/s².
     fn slip_squared_at(&self, travel_m: f64) -> f64 {
         let (v, volume_m3) = (self.velocity_m_s, self.geometry.swept_m3(travel_m));
         let stopped = self.slip_squared_before(volume_m3, 0.0);
         larger(v * v - stopped, 0.0) * (-self.decay_per_m3() * volume_m3).exp()
     }
 
-    /// The greatest contact force up to a travel, N: F = A (S + c u²) grows by dF/dq = (A' - 2 c A²/mu) (S + c u²).
+    /// Returns the peak contact force up to a travel, N: F = A (S + c u²), dF/dq = (A' - 2 c A²/mu) (S + c u²).
     fn peak_n(&self, end_m: f64) -> f64 {
         let (nose, decay_per_m3) = (&self.geometry.nose, self.decay_per_m3());
         let passed = self.geometry.pieces().iter().take_while(|piece| piece.from_m < end_m);
@@ -178,14 +179,14 @@ impl<'a> Passage<'a> {
             let force_n = |q_m: f64| {
                 area_m2(q_m) * (self.strength_pa + self.drag_kg_m3 * self.slip_squared_at(q_m))
             };
-            // A blunt nose pushes most at the start.
+            // The peak of a blunt nose is at the start.
             let at_ends_n = larger(force_n(*from_m), force_n(to_m));
             larger(force_n(bracketed_root(*from_m, to_m, rise)), at_ends_n)
         });
         greatest_n.fold(0.0, larger)
     }
 
-    /// The ballistic limit, m/s: relative impact velocities above it perforate.
+    /// Returns the ballistic limit, m/s: the relative impact velocity above which the shot perforates.
     pub fn limit_velocity_m_s(&self) -> f64 {
         let at_plug = self.shearing.map_or(0.0, |shearing| {
             let picked_up = shearing.slip_squared_before(shearing.plug.slip_m, 0.0);
@@ -194,10 +195,10 @@ impl<'a> Passage<'a> {
         self.slip_squared_before(self.geometry.swept_m3(self.geometry.exit_m), at_plug).sqrt()
     }
 
-    /// The volume swept in the last `ahead_m` before `end_m`, m³, without cancellation.
+    /// Returns the volume swept in the last `ahead_m` before `end_m`, m³, without cancellation.
     fn swept_before_m3(&self, ahead_m: f64, end_m: f64) -> f64 {
         let swept = |piece: &AreaPiece| {
-            // Distances of the piece's ends from the end, the nearer one first.
+            // Distances of the ends of the piece from `end_m`, the smaller first.
             let near = larger(end_m - piece.to_m, 0.0);
             let far = smaller(end_m - piece.from_m, ahead_m);
             let is_swept = far > near;
@@ -207,7 +208,7 @@ impl<'a> Passage<'a> {
         passed.filter_map(swept).sum()
     }
 
-    /// How long it takes to the arrest at this travel, or to the exit, to rounding, s: with q = end (1 - s²) the integrand 2 end s/u is
+    /// Returns the time to the arrest at a travel, or to the exit, s, to rounding error. With q = end (1 - s²) the integrand 2 end s/u is
     /// smooth up to an arrest.
     pub fn time_s(&self, arrest_m: Option<f64>) -> f64 {
         let hole_m = self.geometry.exit_m;
@@ -238,20 +239,19 @@ impl<'a> Passage<'a> {
     }
 }
 
-/// Whether nothing but the shot moves the plate, or nothing at all, and the contact has the law of these closed forms.
+/// Returns `true` for a free or a rigid plate with the hydrodynamic contact model.
 pub fn is_unsprung(scene: &Scene) -> bool {
     let mechanism = Mechanism::from_scene(scene);
     let acts = !mechanism.is_absent() || mechanism.stop.is_some() || scene.weight_n() > 0.0;
     scene.contact.model == ContactModel::Hydrodynamic && !acts
 }
 
-/// Whether the ballistic limit of a scene has a closed form: a rigid or free plate alone, perforated by passage.
+/// Returns `true` if the ballistic limit has a closed form: one rigid or free plate, with the criterion of passage.
 fn has_limit(scene: &Scene) -> bool {
     is_unsprung(scene) && !scene.is_stack() && scene.target.criterion == Criterion::Passage
 }
 
-/// The ballistic limit of a rigid or free plate, m/s: the velocity above which the projectile perforates. `None` where a mechanism acts,
-/// and for a stack, another contact model or another criterion.
+/// Returns the ballistic limit of a rigid or free plate, m/s; `None` for a mechanism, a stack, another contact model or another criterion.
 pub fn ballistic_limit_m_s(scene: &Scene) -> Option<f64> {
     if !has_limit(scene) {
         return None;
@@ -262,8 +262,8 @@ pub fn ballistic_limit_m_s(scene: &Scene) -> Option<f64> {
     Some(passage.limit_velocity_m_s() + plate_m_s)
 }
 
-/// The velocity of the projectile, with its plug, behind a rigid or free plate, m/s. `None` up to the ballistic limit and where that has
-/// no closed form.
+/// Returns the velocity of the projectile with its plug behind a rigid or free plate, m/s; `None` up to the ballistic limit, or without a
+/// closed form.
 pub fn residual_velocity_m_s(scene: &Scene) -> Option<f64> {
     if !has_limit(scene) {
         return None;
@@ -276,8 +276,8 @@ pub fn residual_velocity_m_s(scene: &Scene) -> Option<f64> {
 }
 
 impl Passage<'_> {
-    /// Velocity of a free plate along its normal, m/s, at the end of a travel with this relative velocity: what a unit of force takes from
-    /// the relative velocity, and what it gives the plate, are in the same proportion up to the plug and behind it.
+    /// Returns the velocity of a free plate along its normal, m/s, at a travel with a given relative velocity. Changes of both velocities
+    /// have a constant ratio, before and after the pick-up of a plug.
     fn plate_m_s(&self, scene: &Scene, travel_m: f64, left_m_s: f64) -> f64 {
         if !scene.is_sprung() {
             return 0.0;
@@ -312,7 +312,7 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
     let left_m_s = passage.left_m_s().unwrap_or(0.0);
     let (v, w) = (passage.velocity_m_s, scene.plate_velocity_m_s());
     let plate_m_s = passage.plate_m_s(scene, end_m, left_m_s);
-    // What projectile and plug go relative to the plate the plate goes by their part of the mass.
+    // The displacement of the plate is the relative displacement times the mass fraction of projectile and plug.
     let shearing = passage.shearing.filter(|_| end_m > geometry.exit_m);
     let of_plug = shearing.map_or(0.0, |it| it.plug.mass_kg * (end_m - geometry.exit_m));
     let moved_m = if scene.is_sprung() {
@@ -333,7 +333,7 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
         }),
         final_penetration_m: Some(geometry.depth_m(end_m)),
         peak_contact_force_n: Some(larger(passage.peak_n(end_m), of_plug_n)),
-        // The shot only makes the plate faster.
+        // The shot only accelerates the plate.
         max_plate_displacement_m: (plate_m_s <= 0.0).then(|| scene.start_m()),
         residual_velocity_m_s: exit_s.map(|_| left_m_s + plate_m_s),
         exit_time_s: exit_s,
@@ -410,8 +410,8 @@ mod tests {
         }
     }
 
-    /// Oblique shots into plates thinner than the slender shot is long, where the peak lies beside a corner of the area law. The closed form
-    /// of the force over the travel is searched on a grid, dense at the corners, and about its greatest value.
+    /// Oblique shots into plates thinner than the slender shot is long, where the peak lies beside a corner of the area law. The closed
+    /// form of the force over the travel is searched on a grid, dense at the corners, and about its greatest value.
     #[test]
     fn valid_the_peak_of_an_oblique_slender_shot_is_that_of_its_closed_form() {
         let mut random = crate::numerics::random::Random::new(5);

@@ -1,10 +1,9 @@
-//! The contact between nose and plate: depth from travel, engaged area from depth, and the force law.
+//! Geometry of the contact between nose and plate: depth as a function of travel, engaged area as a function of depth.
 //!
-//! Travel q is the projectile's relative displacement along its own axis since first contact. Depth p is less than
-//! travel while the plate's local bulge ("dishing") takes up one projectile diameter in all. The engaged area is the
-//! projected area of the part of the nose between entry and exit face, A(p) = `A_in(p)` - `A_in(p - h_e)`. Sources: thesis
-//! equation 8.4, section 8.3.1, Appendix A.2 and A.3 (whose sphere-cylinder section is rewritten here without its division by
-//! tan(theta)); the checks are brute-force areas and continuity at the joints.
+//! Travel q is the relative displacement of the projectile along its axis since first contact. Depth p is smaller than q, because a bulge
+//! of the plate (dishing) takes up one projectile diameter in total. The engaged area is the projected area of the nose between entry and
+//! exit face, A(p) = `A_in(p)` - `A_in(p - h_e)`. Sources: thesis equation 8.4, section 8.3.1, Appendix A.2 and A.3; the sphere-cylinder
+//! section is rewritten without the division by tan(theta). Tests compare with numerically integrated areas and check continuity.
 
 use std::f64::consts::PI;
 
@@ -14,98 +13,98 @@ use crate::numerics::quadrature::gauss;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
-/// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
-/// differs from it by the 5/2 power of this, far below rounding, and its derivatives are singular there.
+/// Fraction of the range of partial engagement, at each end, in which the adjacent closed form is used. The error is the 5/2 power of this
+/// value, below rounding; the derivatives of the exact section are singular there.
 const JOINT: f64 = 1e-5;
-/// Below this obliquity in rad the window is too narrow to matter (its effect is of the order of its square).
+/// Obliquity below which the impact counts as normal, rad; the error is of the order of its square.
 const NORMAL_BELOW: f64 = 1e-7;
 
-/// The nose and the plate's thickness as seen along the projectile's axis.
+/// Geometry of the nose along the axis of the projectile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoseGeometry {
-    /// R, m.
+    /// Radius R, m.
     pub radius_m: f64,
     /// sin(theta).
     pub sin: f64,
     /// cos(theta).
     pub cos: f64,
-    /// Depths between which a face is taken as crossing both hemisphere and cylinder; one depth at normal impact.
+    /// Range of depths in which a face intersects both hemisphere and cylinder; empty at normal impact.
     partial_from_m: f64,
     partial_to_m: f64,
 }
 
-/// The most pieces a passage has: either face meets the nose at up to three depths.
+/// Maximum number of pieces of a passage: each face meets the nose at up to three depths.
 const PIECES_MAX: usize = 6;
 
-/// Depth and area laws of one scene, cut into pieces on which they are analytic.
+/// Depth and area laws of a scene, in analytic pieces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Geometry {
-    /// The nose.
+    /// Nose.
     pub nose: NoseGeometry,
-    /// `h_e` = h / cos(theta), m.
+    /// Thickness along the axis of the projectile, `h_e` = h / cos(theta), m.
     pub thickness_m: f64,
-    /// Depth gained per travel up to `bend_m`.
+    /// Derivative of depth by travel up to `bend_m`.
     pub slope: f64,
-    /// Travel up to which depth is `slope` times travel, m; beyond, depth is travel less `lag_m`.
+    /// Travel up to which the depth is `slope` times travel, m; beyond, the depth is travel minus `lag_m`.
     pub bend_m: f64,
     /// Travel taken up by dishing, m.
     pub lag_m: f64,
-    /// Travel at which the nose is clear of the rear face, or comes to the plug, m.
+    /// Travel at which the nose leaves the rear face, or reaches the plug, m.
     pub exit_m: f64,
-    /// The first `count` are in use; fixed room, so that a sweep prepares a contact without allocating.
+    /// Pieces, of which the first `count` are used; an array, so that a sweep does not allocate.
     pieces: [AreaPiece; PIECES_MAX],
     count: usize,
 }
 
-/// A stretch of travel on which the area is one analytic function.
+/// Interval of travel in which the area is one analytic function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AreaPiece {
-    /// Travel at which it begins, m.
+    /// Lower end, m.
     pub from_m: f64,
-    /// Travel at which it ends, m.
+    /// Upper end, m.
     pub to_m: f64,
-    /// The area on it.
+    /// Area law.
     pub law: AreaLaw,
 }
 
-/// The engaged area as a function of travel.
+/// Engaged area as a function of travel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AreaLaw {
     /// a0 + a1 (q - origin) + a2 (q - origin)², m².
     Quadratic {
-        /// Where the polynomial is centred, m.
+        /// Origin of the polynomial, m.
         origin_m: f64,
         /// Coefficients.
         a: [f64; 3],
     },
-    /// Oblique, with a face crossing both sphere and cylinder: entry section less exit section.
+    /// Oblique impact with a face across sphere and cylinder: entry section minus exit section.
     Partial {
-        /// Depth of the entry face's section, linear in travel: p = p0 + p1 (q - origin).
+        /// Origin of the depth of the entry section, p = p0 + p1 (q - origin), m.
         origin_m: f64,
         /// Depth at the origin, m.
         p0: f64,
-        /// Depth per travel.
+        /// Derivative of depth by travel.
         p1: f64,
-        /// Depth at which the exit face's section begins, m.
+        /// Depth at which the exit section starts, m.
         exit_depth_m: f64,
     },
 }
 
-/// Closed form of a face's section, by depth.
+/// Section of the nose by a face.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
-    /// Not reached.
+    /// No section.
     None,
-    /// Within the hemisphere: an ellipse.
+    /// Ellipse within the hemisphere.
     Cap,
-    /// Crossing hemisphere and cylinder.
+    /// Section across hemisphere and cylinder.
     Partial,
-    /// The full cylinder.
+    /// Section of the cylinder.
     Full,
 }
 
 impl NoseGeometry {
-    /// The nose of a scene's projectile.
+    /// Creates the nose of the projectile of a scene.
     pub fn from_scene(scene: &Scene) -> Self {
         let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
         let radius_m = scene.projectile.tip_radius_m;
@@ -118,12 +117,12 @@ impl NoseGeometry {
         nose
     }
 
-    /// Depth at which a face begins to cross the cylinder, R (1/cos - tan), m.
+    /// Returns the depth at which a face starts to intersect the cylinder, R (1/cos - tan), m.
     pub fn cap_end_m(&self) -> f64 {
         self.radius_m * (1.0 - self.sin) / self.cos
     }
 
-    /// Depth at which a face crosses only the cylinder, R (1/cos + tan), m.
+    /// Returns the depth from which a face intersects only the cylinder, R (1/cos + tan), m.
     pub fn full_from_m(&self) -> f64 {
         self.radius_m * (1.0 + self.sin) / self.cos
     }
@@ -132,7 +131,7 @@ impl NoseGeometry {
         self.sin < NORMAL_BELOW
     }
 
-    /// The closed form that holds at depth `p_m`.
+    /// Returns the section at depth `p_m`.
     fn section(&self, p_m: f64) -> Section {
         if p_m <= 0.0 {
             Section::None
@@ -145,12 +144,13 @@ impl NoseGeometry {
         }
     }
 
-    /// Projected area, m², of the nose behind a face it has passed by the depth `p_m`.
+    /// Returns the projected area of the nose behind a face that it has passed by the depth `p_m`, m².
     pub fn area_m2(&self, p_m: f64) -> f64 {
         self.polynomial(self.section(p_m), p_m, 1.0)[0]
     }
 
-    /// Coefficients of the area near the depth `p_m` by the travel from there, at a depth per travel; of a partial section the first alone.
+    /// Returns the Taylor coefficients of the area by travel at the depth `p_m`, for a given derivative of depth by travel; only the first
+    /// one for a partial section.
     #[inline]
     fn polynomial(&self, section: Section, p_m: f64, rate: f64) -> [f64; 3] {
         let (r, c) = (self.radius_m, self.cos);
@@ -167,9 +167,11 @@ impl NoseGeometry {
         }
     }
 
-    /// The section across sphere and cylinder: with kappa = 1 - p cos/R, the height of the face above the sphere's
-    /// centre over R, A/R² = cos (1 - kappa²) phi + acos(kappa/sin) - kappa (sin² - kappa²)^(1/2). phi is half the angle of the face's
-    /// circle on the sphere that lies on the forward hemisphere: pi within the cap, 0 where only the cylinder is crossed.
+    /// Returns the area of a section across sphere and cylinder, m².
+    ///
+    /// kappa = 1 - p cos/R is the height of the face above the centre of the sphere over R, and
+    /// A/R² = cos (1 - kappa²) phi + acos(kappa/sin) - kappa (sin² - kappa²)^(1/2). phi is half the angle of the section's circle that lies
+    /// on the forward hemisphere: pi for a section of the hemisphere only, 0 for one of the cylinder only.
     fn partial_m2(&self, p_m: f64) -> f64 {
         let (r, sin, cos) = (self.radius_m, self.sin, self.cos);
         let (kappa, phi, chord) = self.across(p_m);
@@ -178,7 +180,7 @@ impl NoseGeometry {
         r * r * (cos * circle * phi + beyond - kappa * chord)
     }
 
-    /// kappa, phi and (sin² - kappa²)^(1/2) of the section across sphere and cylinder.
+    /// Returns kappa, phi and (sin² - kappa²)^(1/2) of a section across sphere and cylinder.
     fn across(&self, p_m: f64) -> (f64, f64, f64) {
         let (sin, cos) = (self.sin, self.cos);
         let kappa = 1.0 - p_m * cos / self.radius_m;
@@ -187,7 +189,7 @@ impl NoseGeometry {
         (kappa, phi, larger(sin * sin - kappa * kappa, 0.0).sqrt())
     }
 
-    /// Derivative of the area by the depth, m: across sphere and cylinder 2 R cos (kappa cos phi + (sin² - kappa²)^(1/2)).
+    /// Returns the derivative of the area by depth, m; across sphere and cylinder 2 R cos (kappa cos phi + (sin² - kappa²)^(1/2)).
     fn slope_m(&self, p_m: f64) -> f64 {
         match self.section(p_m) {
             Section::Partial => {
@@ -200,7 +202,7 @@ impl NoseGeometry {
 }
 
 impl Geometry {
-    /// The geometry of a scene; with a plug, of the hole ahead of it.
+    /// Creates the geometry of a scene; with a plug, that of the hole in front of it.
     pub fn from_scene(scene: &Scene) -> Self {
         let nose = NoseGeometry::from_scene(scene);
         let thickness_m = scene.effective_thickness_m();
@@ -222,8 +224,8 @@ impl Geometry {
             pieces: [AreaPiece::free(0.0, 0.0); PIECES_MAX],
             count: 0,
         };
-        // The passage is cut where a face meets the tip, the cylinder or the end of the nose, or the plate its own rear face. In a
-        // thick plate these depths are in order.
+        // The pieces end at the depths at which a face meets the tip, the cylinder or the end of the nose, and at the thickness. They
+        // are in this order for a thick plate.
         let mut depths = [r, f, h, h + r, h + f, end];
         if f > h {
             depths.sort_unstable_by(f64::total_cmp);
@@ -241,7 +243,8 @@ impl Geometry {
         geometry
     }
 
-    /// The hole ahead of a plug, in which a blunt nose has its full area from the start; without pieces if the whole plate shears.
+    /// Creates the geometry of the hole in front of a plug: a blunt nose has its full area from the start. Without pieces if the plug
+    /// comprises the whole thickness.
     fn ahead_of(plug: &Plug, nose: NoseGeometry, thickness_m: f64) -> Self {
         let exit_m = thickness_m - plug.thickness_m;
         let mut geometry = Self {
@@ -260,8 +263,8 @@ impl Geometry {
         geometry
     }
 
-    /// The geometry once the plug is picked up: the sheared area over the travel, which the shear strength turns into the force. In front
-    /// of it is the hole, of an area that has the resistance of the hole of this strength.
+    /// Returns the geometry after the plug is picked up: the sheared area as a function of travel, to be multiplied by the shear strength.
+    /// The hole in front of the plug has an area with equal resistance at this strength.
     #[must_use]
     pub(in crate::model) fn around(&self, plug: &Plug, strength_pa: f64) -> Self {
         let mut geometry = Self { count: 0, ..self.clone() };
@@ -274,7 +277,7 @@ impl Geometry {
         geometry
     }
 
-    /// Adds a piece up to a travel, with the coefficients of its area by the travel from its start.
+    /// Appends a piece up to a travel, with the coefficients of its area.
     fn push(&mut self, to_m: f64, a: [f64; 3]) {
         let from_m = self.pieces().last().map_or(0.0, |piece| piece.to_m);
         let law = AreaLaw::Quadratic { origin_m: from_m, a };
@@ -282,27 +285,27 @@ impl Geometry {
         self.count += 1;
     }
 
-    /// Depth at travel `q_m`, m. Negative travel (the nose is off the entry face) gives negative depth.
+    /// Returns the depth at travel `q_m`, m; negative for negative travel (the nose is in front of the entry face).
     pub fn depth_m(&self, q_m: f64) -> f64 {
         if q_m <= self.bend_m { q_m * self.slope } else { q_m - self.lag_m }
     }
 
-    /// Travel at depth `p_m`, m.
+    /// Returns the travel at depth `p_m`, m.
     pub fn travel_m(&self, p_m: f64) -> f64 {
         if p_m <= self.thickness_m { p_m / self.slope } else { p_m + self.lag_m }
     }
 
-    /// Engaged area at travel `q_m`, m².
+    /// Returns the engaged area at travel `q_m`, m².
     pub fn area_m2(&self, q_m: f64) -> f64 {
         self.piece(q_m).law.area_m2(&self.nose, q_m)
     }
 
-    /// The pieces in order, from zero travel to the exit.
+    /// Returns the pieces in order, from zero travel to the exit.
     pub fn pieces(&self) -> &[AreaPiece] {
         &self.pieces[..self.count]
     }
 
-    /// The piece that holds at travel `q_m`, the later one at a joint; free space before and after.
+    /// Returns the piece at travel `q_m`, the upper one at a joint; a piece without area before and after.
     pub fn piece(&self, q_m: f64) -> AreaPiece {
         if q_m < 0.0 {
             return AreaPiece::free(f64::NEG_INFINITY, 0.0);
@@ -311,7 +314,7 @@ impl Geometry {
         found.copied().unwrap_or_else(|| AreaPiece::free(self.exit_m, f64::INFINITY))
     }
 
-    /// Volume swept from first contact to travel `q_m`: the integral of the area over travel, m³.
+    /// Returns the volume swept from first contact to travel `q_m`, the integral of the area over travel, m³.
     pub fn swept_m3(&self, q_m: f64) -> f64 {
         let before = self.pieces().iter().take_while(|piece| piece.from_m < q_m);
         before.fold(0.0, |volume_m3, piece| {
@@ -320,7 +323,7 @@ impl Geometry {
         })
     }
 
-    /// Travel at which the swept volume is `volume_m3`; `None` beyond the volume of the whole passage.
+    /// Returns the travel at which the swept volume is `volume_m3`; `None` beyond the volume of the whole passage.
     pub fn travel_at_volume_m(&self, volume_m3: f64) -> Option<f64> {
         let missing_m3 = |q_m: f64| volume_m3 - self.swept_m3(q_m);
         (missing_m3(self.exit_m) < 0.0).then(|| bracketed_root(0.0, self.exit_m, missing_m3))
@@ -339,7 +342,7 @@ impl Geometry {
                 exit_depth_m: self.thickness_m,
             };
         }
-        // Centred on the end towards which the area vanishes, so that small areas keep their digits.
+        // The origin is the end at which the area vanishes, so that small areas are accurate.
         let leaving = exit == Section::Cap && entry == Section::Full;
         let origin_m =
             if leaving { self.travel_m(self.thickness_m + nose.cap_end_m()) } else { from_m };
@@ -355,12 +358,12 @@ impl Geometry {
 }
 
 impl AreaPiece {
-    /// Free space.
+    /// Returns a piece without area.
     const fn free(from_m: f64, to_m: f64) -> Self {
         Self { from_m, to_m, law: AreaLaw::Quadratic { origin_m: 0.0, a: [0.0; 3] } }
     }
 
-    /// Integral of the area over the last `width` before `to_m`, m³: exact in `width` however small it is.
+    /// Returns the integral of the area over the last `width` before `to_m`, m³, without cancellation for a small `width`.
     #[inline]
     pub fn swept_before_m3(&self, nose: &NoseGeometry, to_m: f64, width: f64) -> f64 {
         if let AreaLaw::Quadratic { origin_m, a } = self.law {
@@ -368,7 +371,7 @@ impl AreaPiece {
             let (area_m2, half_slope_m) = (a[0] + s * (a[1] + s * a[2]), 0.5 * a[1] + s * a[2]);
             return width * (area_m2 + width * (width * a[2] / 3.0 - half_slope_m));
         }
-        // Any other area: q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
+        // Other areas: the substitution q = from + width (3 s² - 2 s³) removes the half powers at the joints.
         gauss(0.0, 1.0, 2, |s| {
             let q_m = to_m - width + width * s * s * (3.0 - 2.0 * s);
             self.law.area_m2(nose, q_m) * width * 6.0 * s * (1.0 - s)
@@ -377,7 +380,7 @@ impl AreaPiece {
 }
 
 impl AreaLaw {
-    /// The area at travel `q_m`, m².
+    /// Returns the area at travel `q_m`, m².
     pub fn area_m2(&self, nose: &NoseGeometry, q_m: f64) -> f64 {
         match *self {
             Self::Quadratic { origin_m, a } => {

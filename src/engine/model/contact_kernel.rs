@@ -1,11 +1,9 @@
-//! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps
-//! and searches that request nothing else.
+//! Contact kernel: first contact up to first arrest or exit, without time series, energy balance and events, for sweeps and searches.
 //!
-//! The contact is expanded in Taylor series from step to step (`expansion.rs`). A law that is singular where the plate starts is put
-//! in a moment later (`start.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back
-//! through a singular point, one that a spring or damper holds too stiffly for its steps) are left to the simulation: [`Contact::from_scene`]
-//! or [`Contact::run`] returns `None`. Free and rigid plates are integrated like others: their closed form takes longer, for its time
-//! is a quadrature.
+//! Each step is a Taylor expansion (`expansion.rs`). A law that is singular at the start of the plate is treated analytically for the first
+//! moment (`singular_start.rs`). [`Contact::from_scene`] or [`Contact::run`] returns `None` for scenes that need the simulation: a stop, an
+//! oblique section across the cylinder, a plate that returns through a singular point, a spring or damper that is too stiff. Free and rigid
+//! plates are integrated, too: their closed form is slower, since its time is a quadrature.
 
 use crate::model::contact::{AreaLaw, Geometry};
 use crate::model::mechanism::{Mechanism, PowerLaw, Spring, moving_plate_kg};
@@ -17,22 +15,22 @@ use expansion::State;
 mod expansion;
 mod singular_start;
 
-/// Part of the force that is reached at least, if it grew as at first contact.
+/// Minimum ratio of the contact force to its linear extrapolation from first contact, for the estimate of the duration.
 const GROWN_PART: f64 = 0.3;
-/// Steps, and radians by which the plate oscillates or decays, after which the simulation is the faster method.
+/// Maximum number of steps, and maximum phase of oscillation or decay of the plate, rad; beyond, the simulation is faster.
 const STEPS_MAX: usize = 6000;
-/// Exponent below which the plate oscillates on its spring so fast at first that every step must follow it.
+/// Spring exponent below which the initial oscillation of the plate limits every step.
 const STEEP_BELOW: f64 = 0.5;
-/// Ratio of the tolerances of two computations whose difference is the error of the looser one.
+/// Ratio of the tolerances of two computations whose difference estimates the error of the less accurate one.
 const LOOSER: f64 = 10.0;
-/// Part of the tolerance to which they agree: the error of the tighter one is less, also where it hardly falls with its tolerance.
+/// Required agreement of both computations, relative to the tolerance; a safety factor for slow convergence.
 const AGREES: f64 = 0.3;
-/// Tolerances that are tried until two computations of a singular start agree.
+/// Maximum number of tolerances for a singular start.
 const TRIES: usize = 3;
-/// Part of the tolerance for each of the many steps of a plate that oscillates fast.
+/// Fraction of the tolerance for a step of a rapidly oscillating plate, which takes many steps.
 const STEEP_PART: f64 = 0.2;
 
-/// Constants of one contact.
+/// Parameters of a contact.
 #[derive(Clone, Debug)]
 pub struct Contact {
     geometry: Geometry,
@@ -40,40 +38,40 @@ pub struct Contact {
     damper: PowerLaw,
     strength_pa: f64,
     drag_kg_m3: f64,
-    /// Deceleration of the relative velocity per unit of contact force, 1/kg.
+    /// Deceleration of the relative velocity for a unit contact force, 1/kg.
     slip_mobility: f64,
-    /// Acceleration of the plate per unit of force, 1/kg; zero on a rigid mount.
+    /// Acceleration of the plate for a unit force, 1/kg; 0 on a rigid mount.
     plate_mobility: f64,
     cos: f64,
     velocity_m_s: f64,
     start_m: f64,
-    /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
+    /// Time scale, s: time to stop the relative motion with a force that grows as at first contact, or with the preload.
     scale_s: f64,
-    /// How far a plate that is not cocked comes at least on its spring, m; infinite without one.
+    /// Lower bound of the displacement of an uncocked plate, m; infinite without a spring.
     reach_m: f64,
 }
 
-/// How a contact ended.
+/// End of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactEnd {
-    /// Common velocity was reached; otherwise the nose is clear of the rear face.
+    /// First arrest if `true`, else exit from the rear face.
     pub arrested: bool,
-    /// When, s.
+    /// Time, s.
     pub t_s: f64,
-    /// Depth then, m.
+    /// Depth, m.
     pub penetration_m: f64,
-    /// Plate displacement then, m.
+    /// Displacement of the plate, m.
     pub plate_displacement_m: f64,
-    /// Plate velocity then, m/s.
+    /// Velocity of the plate, m/s.
     pub plate_velocity_m_s: f64,
-    /// Greatest plate displacement up to then, m.
+    /// Maximum displacement of the plate so far, m.
     pub max_displacement_m: f64,
-    /// Steps taken.
+    /// Number of steps.
     pub steps: usize,
 }
 
 impl ContactEnd {
-    /// The greatest relative difference of depth, time and displacement; infinite if the contacts end otherwise.
+    /// Returns the maximum relative difference of depth, time and displacement; infinite if the ends differ in kind.
     fn differs(&self, other: &Self) -> f64 {
         if self.arrested != other.arrested {
             return f64::INFINITY;
@@ -91,8 +89,9 @@ impl ContactEnd {
 }
 
 impl Contact {
-    /// Prepare the contact of a scene that has been validated; `None` of a spring that is not a power law, a stop, another interaction
-    /// model, a nose that shears out a plug, a projectile whose weight counts, a plate that moves at first contact, an area that does not begin as a polynomial, or a contact without a time scale.
+    /// Creates the contact of a valid scene; `None` for a spring that is not a power law, a stop, another contact model, a plug, the weight
+    /// of the projectile, a plate that moves at first contact, an area that does not start as a polynomial, or a contact without a time
+    /// scale.
     pub fn from_scene(scene: &Scene) -> Option<Self> {
         let mechanism = Mechanism::from_scene(scene);
         let Mechanism { spring: Spring::Power(spring), damper, stop: None, .. } = mechanism else {
@@ -109,7 +108,7 @@ impl Contact {
         let (cos, v) = (geometry.nose.cos, scene.projectile.velocity_m_s);
         let slip_mobility = 1.0 / scene.projectile.mass_kg + cos * cos * plate_mobility;
         let (strength_pa, drag_kg_m3) = (scene.flow_strength_pa(), scene.drag_kg_m3());
-        // How fast the contact force grows at first, N/s.
+        // Time derivative of the contact force at first contact, N/s.
         let growth_n_s = a[1] * v * (strength_pa + drag_kg_m3 * v * v);
         let start_m = scene.start_m();
         let preload = spring.force(start_m).abs() * plate_mobility;
@@ -134,10 +133,10 @@ impl Contact {
         })
     }
 
-    /// Run it to this accuracy of depth, time and displacement, each relative to itself; `None` where the simulation is needed.
+    /// Computes the contact with a relative tolerance of depth, time and displacement; `None` if the simulation is needed.
     ///
-    /// The error of a singular start is not bounded by that of its steps. It is measured by a second computation, and reduced until both
-    /// agree.
+    /// The error of a singular start is not bounded by the local errors of its steps. A second computation estimates it; the tolerance is
+    /// reduced until both agree.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
         let from_zero = self.start_m == 0.0;
         let is_regular = self.damper.is_linear() && (self.spring.is_linear() || !from_zero);
@@ -156,17 +155,17 @@ impl Contact {
         None
     }
 
-    /// Computes the contact once, with this tolerance for steps and start.
+    /// Computes the contact once, with a tolerance for steps and start.
     fn run_once(&self, tolerance: f64) -> Option<ContactEnd> {
         let (mut t_s, mut state, mut clock) = self.begin(tolerance)?;
-        // A law that is steep where it begins holds the plate most stiffly at first.
+        // A singular law is stiffest at the start.
         let span_s = if t_s > 0.0 { t_s } else { self.scale_s };
         if self.rate_per_s(&state) * span_s > STEPS_MAX as f64 {
             return None;
         }
         let (mut pieces, mut max_displacement_m) = (self.geometry.pieces().iter(), self.start_m);
         let mut piece = pieces.next()?;
-        // The first moment of a singular law counts as one.
+        // The first moment of a singular law counts as a step.
         for steps in 1 + usize::from(t_s > 0.0)..=STEPS_MAX {
             let series = self.expand([self.spring, self.damper], state, clock, piece.law)?;
             let plate_m = self.plate_scale_m(state[2]);
@@ -179,7 +178,7 @@ impl Contact {
             } else if dips(&series.slip, span) {
                 return None;
             }
-            // Travel only grows up to the arrest: the piece's end may lie before it.
+            // Travel increases up to the arrest: the piece can end before.
             let at_end = next[0] >= piece.to_m;
             if at_end {
                 span = rise(&series.travel, piece.to_m, span);
@@ -217,8 +216,8 @@ impl Contact {
         None
     }
 
-    /// Against what the plate's displacement is measured at `plate_m`, m. On a spring that is steep at zero it oscillates about a place
-    /// that is tiny at first; its oscillations fade more slowly than that grows, and no step may lose the plate.
+    /// Returns the error scale of the displacement at `plate_m`, m. On a singular spring the plate oscillates about a displacement that is
+    /// tiny at first. The oscillation decays more slowly than that displacement grows: each step has to resolve it.
     fn plate_scale_m(&self, plate_m: f64) -> f64 {
         let is_steep = self.spring.is_steep_at_zero() && self.spring.exponent < STEEP_BELOW;
         if self.start_m == 0.0 && is_steep {
@@ -228,13 +227,13 @@ impl Contact {
         }
     }
 
-    /// By how many radians a second the plate oscillates on its spring and decays by its damper at a state.
+    /// Returns the rate of oscillation and decay of the plate at a state, rad/s.
     fn rate_per_s(&self, [_, _, plate_m, speed_m_s]: &State) -> f64 {
         let by_spring = self.spring.tangent(*plate_m) * self.plate_mobility;
         by_spring.sqrt() + self.damper.tangent(*speed_m_s) * self.plate_mobility
     }
 
-    /// Whether the laws hold at a state: a plate stays on the side of zero on which it started, and goes forward, unless they are linear.
+    /// Returns `true` if the expansion is valid at a state: with nonlinear laws the plate stays on its side of zero and moves forward.
     fn holds_at(&self, [travel_m, _, plate_m, speed_m_s]: &State) -> bool {
         let on_its_side = if self.start_m < 0.0 { *plate_m < 0.0 } else { *plate_m > 0.0 };
         travel_m.is_finite()

@@ -1,7 +1,7 @@
-//! How projectile and plate push on each other: the contact models of thesis section 8.2 and Table 8.1, on one loop.
+//! Contact models of thesis section 8.2 and Table 8.1, for the same integration loop.
 //!
-//! A model gives its force; `impact` has the modes and events. What a model does not contain is absent from the run: no depth where it
-//! knows none, no peak force where the collision takes no time. The listing of Appendix A is a scheme of its own: see `appendix`.
+//! A model defines the contact force; `impact` has the modes and events. A result that a model does not define is absent: no depth without
+//! an interface, no peak force for an instantaneous collision. The listing of Appendix A has its own time stepping: see `appendix`.
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
@@ -15,7 +15,7 @@ mod lumped;
 pub(super) use law::ContactLaw;
 
 impl ContactModel {
-    /// All of them in the order of Table 8.1.
+    /// Contact models in the order of Table 8.1.
     pub const IN_TABLE_8_1: [Self; 5] =
         [Self::Hydrodynamic, Self::Lumped, Self::HalfSine, Self::InitialVelocity, Self::Appendix];
 
@@ -55,21 +55,21 @@ impl ContactModel {
     }
 }
 
-/// A note where a parameter was left open.
+/// Returns a note if a parameter is not given.
 fn auto(given: Option<f64>) -> &'static str {
     if given.is_none() { " (auto)" } else { "" }
 }
 
-/// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
+/// Default ratio of unloading to loading stiffness: a hundredth of the dent and a tenth of the velocity are recovered.
 const UNLOAD_PER_LOAD: f64 = 100.0;
 
-/// The duration of the half-sine history, s; left open, that of the hydrodynamic contact on a rigid mount.
+/// Returns the duration of the half-sine history, s; by default that of the hydrodynamic contact on a rigid mount.
 fn duration_s(scene: &Scene) -> f64 {
     scene.contact.duration_s.unwrap_or_else(|| hydrodynamic_on_rigid_mount(scene).0)
 }
 
-/// The stiffnesses of the lumped interface on the way in and back, N/m; left open, the way in goes as far as the hydrodynamic contact
-/// on a rigid mount.
+/// Returns loading and unloading stiffness of the lumped interface, N/m. The default loading stiffness gives the travel of the hydrodynamic
+/// contact on a rigid mount.
 fn stiffnesses_n_m(scene: &Scene) -> (f64, f64) {
     let load_n_m = scene.contact.load_stiffness_n_m.unwrap_or_else(|| {
         let speed_per_s = scene.projectile.velocity_m_s / hydrodynamic_on_rigid_mount(scene).1;
@@ -78,8 +78,7 @@ fn stiffnesses_n_m(scene: &Scene) -> (f64, f64) {
     (load_n_m, scene.contact.unload_stiffness_n_m.unwrap_or(UNLOAD_PER_LOAD * load_n_m))
 }
 
-/// How long the hydrodynamic contact lasts on a rigid mount, s, and how far the projectile travels in it, m. A plate that is
-/// perforated counts with its exit.
+/// Returns duration, s, and travel, m, of the hydrodynamic contact on a rigid mount, up to the exit for a perforation.
 fn hydrodynamic_on_rigid_mount(scene: &Scene) -> (f64, f64) {
     let geometry = Geometry::from_scene(scene);
     let passage = Passage::rigid(scene, &geometry);

@@ -1,8 +1,7 @@
 //! Springs, dampers and stops: force, energy and limits.
 //!
-//! Signs: a spring force is positive when it pushes the plate back towards its neutral position from x > 0, a damper force
-//! when it resists w > 0; both act on the plate as -force. Thesis equations 8.1, 8.2, 9.2, 9.3 with the signs its
-//! Appendix lacks: both laws are odd.
+//! Signs: a spring force is positive for x > 0 if it acts towards the neutral position, a damper force is positive for w > 0 if it resists;
+//! both act on the plate as -force. Thesis equations 8.1, 8.2, 9.2, 9.3 with the signs that its Appendix lacks: both laws are odd.
 
 use crate::model::scene::{Scene, Stop, StopKind};
 
@@ -16,56 +15,56 @@ mod spring;
 pub use inertia::{Inertia, moving_plate_kg};
 pub use spring::Spring;
 
-/// Least exponent of a power law. Below it the force is constant within a factor of 1000 over all numbers, and the displacement of a
-/// force underflows.
+/// Minimum exponent of a power law. For smaller exponents the force varies by a factor below 1000 over all floating-point numbers, and the
+/// displacement of a force underflows.
 pub(in crate::model) const MIN_EXPONENT: f64 = 0.01;
 
-/// An odd power law: `coefficient |z|^exponent sgn(z)`.
+/// Odd power law: `coefficient |z|^exponent sgn(z)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerLaw {
-    /// >= 0.
+    /// Coefficient, >= 0.
     pub coefficient: f64,
-    /// > 0.
+    /// Exponent, > 0.
     pub exponent: f64,
 }
 
 impl PowerLaw {
-    /// No force.
+    /// Law without force.
     pub const NONE: Self = Self { coefficient: 0.0, exponent: 1.0 };
 
-    /// Whether there is no force.
+    /// Returns `true` for a law without force.
     pub fn is_absent(self) -> bool {
         self.coefficient == 0.0
     }
 
-    /// The law where it acts, else none of the same exponent.
+    /// Returns the law if `acts`, else a law without force and with the same exponent.
     #[must_use]
     pub fn only_if(self, acts: bool) -> Self {
         if acts { self } else { Self { coefficient: 0.0, ..self } }
     }
 
-    /// Whether its tangent at zero is infinite.
+    /// Returns `true` if the derivative at zero is infinite.
     pub fn is_steep_at_zero(self) -> bool {
         !self.is_absent() && self.exponent < 1.0
     }
 
-    /// Velocity below which a steep damper is taken as linear, m/s, under a shot of this velocity; 0 of any other law. Less than that does
-    /// not count: the travel is as far off at most as a part of 1e-13 of the tip radius.
+    /// Returns the velocity below which a damper with exponent < 1 is linearised, m/s, from the impact velocity; 0 for other laws. The
+    /// error of the displacement is at most 1e-13 of the tip radius.
     pub fn creep_m_s(self, impact_m_s: f64) -> f64 {
         if self.is_steep_at_zero() { 1e-13 * impact_m_s } else { 0.0 }
     }
 
-    /// Whether it is linear, or no law at all.
+    /// Returns `true` for a linear law or a law without force.
     pub fn is_linear(self) -> bool {
         self.is_absent() || matches!(self.exponent, 1.0)
     }
 
-    /// Whether the law is one analytic function through zero (linear, cubic, ...).
+    /// Returns `true` if the law is analytic at zero (linear, cubic, ...).
     pub fn is_smooth_at_zero(self) -> bool {
         self.is_absent() || matches!(self.exponent, 1.0 | 3.0 | 5.0)
     }
 
-    /// The force at `z`, which may be infinite.
+    /// Returns the force at `z`, which can be infinite.
     pub fn force(self, z: f64) -> f64 {
         if self.is_absent() {
             0.0
@@ -76,7 +75,8 @@ impl PowerLaw {
         }
     }
 
-    /// The force on one side of zero, 1 or -1: a square goes on smoothly a little beyond it, any other law oddly.
+    /// Returns the force with the law of one side of zero, 1 or -1. A quadratic law is continued analytically beyond zero, other laws as
+    /// odd functions.
     pub fn force_on(self, side: f64, z: f64) -> f64 {
         match self.exponent {
             2.0 => self.coefficient * z * z * side,
@@ -85,7 +85,7 @@ impl PowerLaw {
         }
     }
 
-    /// The derivative of the force at `z`; infinite at zero for exponents below one.
+    /// Returns the derivative of the force at `z`; infinite at zero for exponents below 1.
     pub fn tangent(self, z: f64) -> f64 {
         if self.is_linear() {
             return self.coefficient;
@@ -93,7 +93,7 @@ impl PowerLaw {
         self.coefficient * self.exponent * z.abs().powf(self.exponent - 1.0)
     }
 
-    /// The integral of the force from 0 to `z`: for a spring, the energy it stores.
+    /// Returns the integral of the force from 0 to `z`; for a spring the stored energy.
     pub fn integral(self, z: f64) -> f64 {
         if self.is_absent() {
             return 0.0;
@@ -101,7 +101,7 @@ impl PowerLaw {
         self.coefficient / (self.exponent + 1.0) * z.abs().powf(self.exponent + 1.0)
     }
 
-    /// The |z| at which the force is `force`; infinite when there is no law.
+    /// Returns |z| for a given force; infinite for a law without force.
     pub fn at_force(self, force: f64) -> f64 {
         if self.is_absent() {
             return f64::INFINITY;
@@ -109,7 +109,7 @@ impl PowerLaw {
         (force.abs() / self.coefficient).powf(1.0 / self.exponent)
     }
 
-    /// The |z| at which the integral is `integral`; infinite when there is no law.
+    /// Returns |z| for a given integral; infinite for a law without force.
     pub fn at_integral(self, integral: f64) -> f64 {
         if self.is_absent() {
             return f64::INFINITY;
@@ -118,24 +118,24 @@ impl PowerLaw {
     }
 }
 
-/// Sign of a number, zero for zero.
+/// Returns the sign of a number; 0 for zero.
 pub fn sign(z: f64) -> f64 {
     if z == 0.0 { 0.0 } else { z.signum() }
 }
 
-/// The mechanism that carries the plate.
+/// Mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mechanism {
-    /// The springs together.
+    /// Combined law of all springs.
     pub spring: Spring,
-    /// The damper.
+    /// Damper.
     pub damper: PowerLaw,
-    /// The stop, if there is one.
+    /// Stop, if there is one.
     pub stop: Option<Stop>,
 }
 
 impl Mechanism {
-    /// The mechanism of a scene; a rigid mount has none.
+    /// Creates the mechanism of a scene; without force on a rigid mount.
     pub fn from_scene(scene: &Scene) -> Self {
         let laws = &scene.mechanism;
         let sprung = scene.is_sprung();
@@ -146,7 +146,7 @@ impl Mechanism {
         }
     }
 
-    /// Whether neither spring nor damper acts.
+    /// Returns `true` without spring and damper.
     pub fn is_absent(&self) -> bool {
         self.spring.is_absent() && self.damper.is_absent()
     }
@@ -161,7 +161,7 @@ impl Mechanism {
         self.stop.filter(|stop| stop.kind == StopKind::Elastic)
     }
 
-    /// The rigid stop, if there is one.
+    /// Returns the rigid stop, if there is one.
     pub fn rigid_stop(&self) -> Option<Stop> {
         self.stop.filter(|stop| stop.kind == StopKind::Rigid)
     }

@@ -1,24 +1,24 @@
-//! The contact kernel's Taylor expansion, and how far it is trusted.
+//! Taylor expansion of the contact kernel, and its step size.
 //!
-//! Time may be graded: with t = s³ a force that starts like t^(3n) is far smoother in s, so that the steps grow from the singular
-//! start several times as fast.
+//! Time can be graded: with t = s³ a force like t^n becomes s^(3n), which is smoother. The steps after a singular start then grow several
+//! times as fast.
 
 use crate::model::contact::AreaLaw;
 use crate::model::contact_kernel::Contact;
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::{larger, smaller};
 
-/// Terms of an expansion.
+/// Number of terms of an expansion.
 const TERMS: usize = 14;
 type Coefficients = [f64; TERMS];
 
-/// Travel, slip, plate displacement and plate velocity.
+/// Travel, relative velocity, displacement and velocity of the plate.
 pub(super) type State = [f64; 4];
 
-/// Greatest step in units of the expansion's own.
+/// Maximum step size, in units of the expansion.
 const REACH_MAX: f64 = 20.0;
 
-/// The four series, in the step's own variable from 0 to 1.
+/// Series of the four components of the state, in the variable of the step.
 pub(super) struct Series {
     pub(super) travel: Coefficients,
     pub(super) slip: Coefficients,
@@ -27,7 +27,7 @@ pub(super) struct Series {
 }
 
 impl Series {
-    /// The state at `span`.
+    /// Returns the state at `span`.
     #[inline(always)]
     pub(super) fn state(&self, span: f64) -> State {
         let mut state = [0.0; 4];
@@ -40,13 +40,13 @@ impl Series {
         state
     }
 
-    /// How fast the plate's velocity changes at `span`.
+    /// Returns the derivative of the plate's velocity at `span`.
     pub(super) fn acceleration(&self, span: f64) -> f64 {
         (1..TERMS).rev().fold(0.0, |sum, j| sum * span + self.speed[j] * j as f64)
     }
 
-    /// The part of the unit for which the truncated terms stay below the tolerance, relative to what matters to depth and time, and to
-    /// `plate_m` if that is less than the travel; NaN if a term is.
+    /// Returns the step size, in units of the expansion, for which the truncation error is below the tolerance; NaN if a term is. The error
+    /// scales are those of depth and time, and `plate_m` if it is smaller than the travel.
     #[inline(always)]
     pub(super) fn trusted(&self, tolerance: f64, velocity_m_s: f64, plate_m: f64) -> f64 {
         let length_m = self.travel[0].abs() + self.travel[1].abs();
@@ -55,37 +55,37 @@ impl Series {
             (self.travel[j].abs() + weight * self.plate[j].abs()) / length_m
                 + (self.slip[j].abs() + self.speed[j].abs()) / velocity_m_s
         };
-        // Two terms: one may vanish by symmetry.
+        // The last two terms: one of them can vanish by symmetry.
         let reach = tolerance / (size(TERMS - 2) + size(TERMS - 1));
         let order = if reach < 1.0 { TERMS - 2 } else { TERMS - 1 };
         smaller(reach.powf(1.0 / order as f64), REACH_MAX)
     }
 }
 
-/// Time along a step, t = (s + unit · sigma)³, or in proportion to sigma where it is not graded.
+/// Time along a step: t = (s + unit · sigma)³, or proportional to sigma without grading.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TimeGrading {
     /// dt/dsigma at first, s.
     pub(super) unit_s: f64,
-    /// unit/s; zero of a clock that is not graded.
+    /// Ratio unit/s; 0 without grading.
     pub(super) grade: f64,
 }
 
 impl TimeGrading {
-    /// The time that passes up to `span`, s.
+    /// Returns the time from the start of the step to `span`, s.
     pub(super) fn elapsed_s(self, span: f64) -> f64 {
         let part = self.grade * span;
         self.unit_s * span * (1.0 + part * (1.0 + part / 3.0))
     }
 
-    /// The clock of the next step, after one that was trusted up to `trusted` and ended at `span`.
+    /// Returns the grading of the next step, after a step of accuracy up to `trusted` that ended at `span`.
     pub(super) fn next(self, span: f64, trusted: f64) -> Self {
         let farther = 1.0 + self.grade * span;
         let unit_s = self.unit_s * trusted * farther * farther * farther;
         Self { unit_s, grade: self.grade * trusted }
     }
 
-    /// Coefficient j of dz/dt · dt/dsigma, in the unit at first.
+    /// Returns coefficient j of dz/dt · dt/dsigma, in the unit at the start.
     #[inline(always)]
     fn along(self, z: &Coefficients, j: usize) -> f64 {
         if j == 0 || self.grade == 0.0 {
@@ -98,7 +98,7 @@ impl TimeGrading {
     }
 }
 
-/// A power law, away from zero unless it is linear.
+/// Series of a power law; the argument is not zero unless the law is linear.
 struct Force {
     law: PowerLaw,
     is_linear: bool,
@@ -111,7 +111,7 @@ impl Force {
         Self { law, is_linear: law.is_linear(), inverse: 0.0, terms: [0.0; TERMS] }
     }
 
-    /// Coefficient j, given the argument's up to j: from z f' = exponent f z',
+    /// Returns coefficient j from those of the argument up to j. From z f' = exponent f z',
     /// j `z[0]` `f[j]` = sum over i of (exponent (i) - (j - i)) `z[i]` `f[j - i]`.
     #[inline(always)]
     fn term(&mut self, z: &Coefficients, j: usize) -> f64 {
@@ -126,7 +126,7 @@ impl Force {
             let part = |i: usize| {
                 ((exponent + 1.0) * (i as f64 / j as f64) - 1.0) * z[i] * self.terms[j - i]
             };
-            // The newest come last, so that the others are added while the processor waits for them.
+            // The latest coefficients come last: the other terms do not wait for them.
             let mut sum = 0.0;
             for i in 1..j {
                 sum += part(i + 1);
@@ -137,7 +137,7 @@ impl Force {
     }
 }
 
-/// Coefficient j of a·b but for the parts of the first and the last of either.
+/// Returns coefficient j of a·b without the terms of the first and the last coefficients.
 #[inline(always)]
 fn between(a: &Coefficients, b: &Coefficients, j: usize) -> f64 {
     let mut sum = 0.0;
@@ -148,7 +148,7 @@ fn between(a: &Coefficients, b: &Coefficients, j: usize) -> f64 {
 }
 
 impl Contact {
-    /// Expand from a state on a piece of this area; `None` where that is not a polynomial.
+    /// Expands the solution from a state on a piece of the area law; `None` if the area is not a polynomial.
     #[inline(always)]
     pub(super) fn expand(
         &self,
@@ -163,11 +163,11 @@ impl Contact {
         let [mut travel, mut slip, mut plate, mut speed] = [zero; 4];
         let [mut offset, mut area, mut pressure, mut slowing, mut driving] = [zero; 5];
         [travel[0], slip[0], plate[0], speed[0]] = state;
-        // Velocities that pressure and mechanism would give in a unit of the clock.
+        // Changes of velocity by pressure and mechanism in one unit of the grading.
         let TimeGrading { unit_s, .. } = clock;
         let per_pressure = self.slip_mobility * unit_s;
         let (strength, drag) = (self.strength_pa * per_pressure, self.drag_kg_m3 * per_pressure);
-        // What a coefficient of the slip adds to that of the pressure: apart, so that the next waits for no more than that.
+        // The contribution of the velocity coefficient to the pressure is added last, to shorten the dependency chain.
         let by_slip = 2.0 * drag * state[1];
         let per_force = self.plate_mobility * unit_s;
         let share = self.cos * self.plate_mobility / self.slip_mobility;

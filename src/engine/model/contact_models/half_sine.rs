@@ -1,21 +1,21 @@
-//! The linearised force history of Abatan and Hu, thesis equations 8.5 to 8.9: `F = m_p v pi/(2 t_d) sin(pi t/t_d)`.
+//! Linearised force history of Abatan and Hu, thesis equations 8.5 to 8.9: `F = m_p v pi/(2 t_d) sin(pi t/t_d)`.
 //!
-//! The history is prescribed: it is that of a fixed plate, on which it just stops the projectile, and its impulse is the
-//! projectile's whole momentum. Here it acts on both bodies for all of `t_d`, whatever the plate does meanwhile; then they
-//! are one, with the momentum they have. So the initial-velocity model is its limit for `t_d` to 0. Depth is the greatest
-//! relative travel that follows: at the first common velocity, or at a later one where a spring throws the plate back.
+//! The history is prescribed. Its impulse is the momentum of the projectile: on a fixed plate it just stops the shot. Here it acts on both
+//! bodies for the whole duration `t_d`, regardless of the motion of the plate; then a perfectly inelastic impact joins them. The
+//! initial-velocity model is the limit `t_d` -> 0. The depth is the maximum relative travel: at the first zero of the relative velocity,
+//! or at a later one if the spring returns the plate.
 
 use std::f64::consts::PI;
 
 use super::duration_s;
 use crate::model::scene::Scene;
 
-/// A prescribed force history, a function of time alone.
+/// Prescribed force history, a function of time only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) struct History {
     pub(in crate::model) duration_s: f64,
     amplitude_n: f64,
-    /// How far the projectile comes on a rigid mount, m.
+    /// Travel on a rigid mount, m.
     pub(super) travel_m: f64,
 }
 

@@ -1,23 +1,23 @@
-//! The force between the bodies as the loop takes it.
+//! Contact law of the integration loop.
 
 use super::half_sine::History;
 use super::lumped::Lumped;
 use crate::model::run::RunWarning;
 use crate::model::scene::{ContactModel, Scene};
 
-/// A projectile that arrives at common velocity within this part of the end of a history has not been overrun.
+/// Tolerance of the time of first arrest, relative to the duration of a force history, within which no warning is given.
 const AT_THE_END: f64 = 1e-3;
 
-/// A contact model's law.
+/// Law of a contact model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) enum ContactLaw {
-    /// The flow of the target at its strength, with an interface that may yield.
+    /// Flow of the target at its strength, with an interface that can slip.
     Flow,
-    /// A prescribed force history, after which the bodies are one.
+    /// Prescribed force history, then a perfectly inelastic impact.
     History(History),
-    /// The bodies are one at once.
+    /// Perfectly inelastic impact at first contact.
     AtOnce,
-    /// A spring with hysteresis and a damper.
+    /// Spring with hysteresis and a damper.
     Lumped(Lumped),
 }
 
@@ -32,7 +32,7 @@ impl ContactLaw {
         }
     }
 
-    /// The travel on a rigid mount that stands for the depth, m, of the models that have an interface of their own.
+    /// Returns the travel on a rigid mount that represents the depth, m, for models with their own interface.
     pub(in crate::model) fn on_rigid_mount_m(&self) -> Option<f64> {
         match self {
             Self::Flow | Self::AtOnce => None,
@@ -41,24 +41,24 @@ impl ContactLaw {
         }
     }
 
-    /// When a prescribed history ends, s; never, of another law.
+    /// Returns the end time of the force history, s; infinite for other contact laws.
     pub(in crate::model) fn lasts_s(&self) -> f64 {
         if let Self::History(history) = self { history.duration_s } else { f64::INFINITY }
     }
 
-    /// Says where a prescribed history has overrun the first common velocity.
+    /// Returns a warning if the force history continues after the first arrest.
     pub(in crate::model) fn overruns(&self, first_arrest_s: Option<f64>) -> Option<RunWarning> {
         let Self::History(History { duration_s, .. }) = *self else { return None };
         let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
         early.map(|t_s| RunWarning::Overruns { t_s, duration_s })
     }
 
-    /// Travel at which contact begins in a hole made by this travel, m.
+    /// Returns the travel at which contact starts in a hole of a given maximum travel, m.
     pub(in crate::model) fn slack_m(&self, deepest_m: f64) -> f64 {
         if let Self::Lumped(lumped) = self { lumped.dent_m(deepest_m) } else { 0.0 }
     }
 
-    /// Travel that stands for the depth of the hole made by this travel, m; `None` where the model knows none.
+    /// Returns the travel that represents the depth of a hole of a given maximum travel, m; `None` for a model without depth.
     pub(in crate::model) fn hole_m(&self, deepest_m: f64) -> Option<f64> {
         match self {
             Self::Flow | Self::History(_) => Some(deepest_m),

@@ -1,13 +1,12 @@
-//! Wu's lumped parameters, thesis Figures 8.4 to 8.8: a spring with hysteresis and a damper between projectile and plate.
+//! Lumped-parameter model of Wu, thesis Figures 8.4 to 8.8: a spring with hysteresis and a damper between projectile and plate.
 //!
-//! The interface is pressed in along `k_load`, gives back along the steeper `k_unload`, and keeps a dent of
-//! `delta_max (1 - k_load/k_unload)`, from which it is pressed again along `k_unload` up to where it was. It only pushes.
-//! The dent is the depth; the model has no rear face.
+//! The interface loads with `k_load` and unloads with the larger `k_unload`. The residual dent is `delta_max (1 - k_load/k_unload)`;
+//! reloading follows `k_unload` up to `delta_max`. The interface has no tension. The dent is the depth; the model has no rear face.
 
 use super::stiffnesses_n_m;
 use crate::model::scene::Scene;
 
-/// The interface.
+/// Lumped interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::model) struct Lumped {
     load_n_m: f64,
@@ -30,17 +29,18 @@ impl Lumped {
         }
     }
 
-    /// The dent that is left by a travel, m.
+    /// Returns the residual dent of a maximum travel, m.
     pub(super) fn dent_m(&self, deepest_m: f64) -> f64 {
         deepest_m * (1.0 - self.load_n_m / self.unload_n_m)
     }
 
-    /// Stiffness, N/m, and place where it is slack, m, of the way in or of the steeper branch.
+    /// Returns stiffness, N/m, and travel at zero force, m, of the loading or the unloading branch.
     fn branch(&self, goes_in: bool, deepest_m: f64) -> (f64, f64) {
         if goes_in { (self.load_n_m, 0.0) } else { (self.unload_n_m, self.dent_m(deepest_m)) }
     }
 
-    /// The interface force at a travel and a slip on the way in, or on its steeper branch as if it could pull, N.
+    /// Returns the force at a travel and a relative velocity, on the loading branch or on the unloading branch (there as if it could pull),
+    /// N.
     pub(in crate::model) fn force_n(
         &self,
         goes_in: bool,
@@ -62,16 +62,16 @@ impl Lumped {
         0.5 * force_n * force_n / self.unload_n_m
     }
 
-    /// Returns the energy that deepens a dent by a small part of the travel that made it, J, if the damper takes nothing.
+    /// Returns the energy that deepens a dent by a small fraction of its maximum travel without damping, J.
     pub(in crate::model) fn deepens_j(&self, deepest_m: f64, part: f64) -> f64 {
         part * self.load_n_m * deepest_m * deepest_m
     }
 
-    /// Dent on a rigid mount, m: of m q'' + b q' + k q = 0 from q = 0 at the impact velocity up to the turn.
+    /// Returns the dent on a rigid mount, m, from the maximum travel of m q'' + b q' + k q = 0 with q(0) = 0 and the impact velocity.
     ///
-    /// With r = b/(2 m) and w = (k/m)^(1/2) the greatest travel is v/w exp(-r t) with t = atan(s/r)/s, s = (w² - r²)^(1/2) below the
-    /// critical damping. Above it, s = (r² - w²)^(1/2), it is v/(r + s) exp(-ln(1 + z)/z) with z = 2 s/(r - s) = 2 s (r + s)/w²: a
-    /// difference of large numbers appears in neither.
+    /// With r = b/(2 m) and w = (k/m)^(1/2) the maximum travel is v/w exp(-r t) with t = atan(s/r)/s, s = (w² - r²)^(1/2) below critical
+    /// damping. Above, with s = (r² - w²)^(1/2), it is v/(r + s) exp(-ln(1 + z)/z) with z = 2 s/(r - s) = 2 s (r + s)/w². Both forms are
+    /// free of cancellation.
     pub(super) fn on_rigid_mount_m(&self) -> f64 {
         let (m, v) = (self.mass_kg, self.velocity_m_s);
         let (r, w) = (0.5 * self.damping_n_s_m / m, (self.load_n_m / m).sqrt());

@@ -1,37 +1,38 @@
-//! A force law of any shape: analytic pieces between knots, with what a run needs to know of it in advance.
+//! Piecewise analytic force law between knots, with precomputed energies, zeros and extrema.
 
 use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::piece::Piece;
 use crate::numerics::larger;
 use crate::numerics::root::bracketed_root;
 
-/// Sampling points within each stretch at which the sign of the force, or of its tangent, is compared.
+/// Number of sampling points within a piece for sign changes of the force and its derivative.
 const LOOKS: usize = 64;
-/// Length of an infinite stretch that is sampled evenly, in sizes of the law.
+/// Length of an infinite piece that is sampled evenly, in characteristic lengths.
 const FAR: f64 = 20.0;
-/// Doublings of that length at which an infinite stretch is sampled further: a straight end may have its zero far out.
+/// Number of doublings of that length for further sampling points; a linear end can have a distant zero.
 const DOUBLINGS: i32 = 32;
 
-/// A length for a law that has none, m: a plate's travel, about.
+/// Default characteristic length, m: a typical displacement of a plate.
 pub(super) const SCALE_M: f64 = 1e-3;
 
-/// A force law over all displacements.
+/// Force law for all displacements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// Rising, m.
+    /// Knots, increasing, m.
     pub(super) knots_m: Vec<f64>,
-    /// Between the knots, one more than those: the first goes to minus, the last to plus infinity.
+    /// Pieces between the knots; the first and the last one are infinite.
     pub(super) pieces: Vec<Piece>,
-    /// Integration constants of the pieces' energies, J: the sum is continuous, and zero at the lowest point.
+    /// Integration constants of the energies of the pieces, J; the energy is continuous, with minimum 0.
     offsets_j: Vec<f64>,
-    /// Knots, zeros of the force and where it turns, rising: energy and force rise or fall all the way between two of them, m.
+    /// Stations: knots, zeros and extrema of the force, increasing, m. Energy and force are monotone between two stations.
     pub(super) stations_m: Vec<f64>,
-    /// A length that the law is made of, m.
+    /// Characteristic length of the law, m.
     pub(super) scale_m: f64,
 }
 
 impl Curve {
-    /// A law of pieces, each from where it begins, rising; the first goes to minus infinity. `scale_m` > 0 is a length it is made of.
+    /// Creates a law from pieces with their lower ends, increasing; that of the first is minus infinity. `scale_m` > 0 is the
+    /// characteristic length.
     pub fn new(laws: Vec<(f64, Piece)>, scale_m: f64) -> Self {
         let (begins, pieces): (Vec<f64>, Vec<Piece>) = laws.into_iter().unzip();
         let mut curve = Self {
@@ -59,18 +60,18 @@ impl Curve {
         curve
     }
 
-    /// The odd law whose positive side has these pieces, each from where it begins; the first begins at 0.
+    /// Creates an odd law from the pieces of its positive side with their lower ends; that of the first is 0.
     pub(super) fn odd(laws: &[(f64, Piece)], scale_m: f64) -> Self {
         let begins = laws.iter().skip(1).rev().map(|(from_m, _)| -from_m);
         let mirrored = laws.iter().rev().map(|(_, piece)| piece.mirrored());
         let behind = [f64::NEG_INFINITY].into_iter().chain(begins).zip(mirrored);
         let mut both: Vec<(f64, Piece)> = behind.chain(laws.iter().cloned()).collect();
-        // Where the first piece is its own mirror image zero is no knot.
+        // Zero is not a knot if the first piece is odd.
         both.dedup_by(|ahead, behind| ahead.1 == behind.1);
         Self::new(both, scale_m)
     }
 
-    /// A power law, to be combined with others: a piece on either side of zero, or one where it goes smoothly through it.
+    /// Creates a power law: a piece on each side of zero, or one piece if it is analytic at zero.
     pub(super) fn power(law: PowerLaw) -> Self {
         let mut laws = vec![(f64::NEG_INFINITY, Piece::Power { law, side: -1.0 })];
         if !law.is_smooth_at_zero() {
@@ -91,12 +92,12 @@ impl Curve {
         Self::new(laws, larger(self.scale_m, other.scale_m))
     }
 
-    /// Energy stored at x by the law of a stretch, J: zero at the lowest point.
+    /// Returns the energy at x by the law of a piece, J.
     pub(super) fn energy_in(&self, stretch: usize, x: f64) -> f64 {
         self.pieces[stretch].energy(x) + self.offsets_j[stretch]
     }
 
-    /// Places where a function of the pieces changes sign, in no order, m.
+    /// Returns the positions of sign changes of a function of the pieces, unsorted, m.
     fn changes(&self, f: impl Fn(&Piece, f64) -> f64) -> Vec<f64> {
         let mut found = Vec::new();
         for (region, piece) in self.pieces.iter().enumerate() {
@@ -113,11 +114,11 @@ impl Curve {
         found
     }
 
-    /// Sampling points of a stretch, rising, m.
+    /// Returns the sampling points of a piece, increasing, m.
     fn looks_m(&self, stretch: usize) -> Vec<f64> {
         let far = FAR * self.scale_m;
         let (below, above) = ends(&self.knots_m, stretch);
-        // Finite ends of the even part in place of the infinite ones.
+        // Ends of the evenly sampled part of an infinite piece.
         let (low, high) = match (below, above) {
             (f64::NEG_INFINITY, f64::INFINITY) => (-far, far),
             (f64::NEG_INFINITY, high) => (high - far, high),
@@ -133,12 +134,12 @@ impl Curve {
     }
 }
 
-/// The stretch between rising knots that x lies in; a knot belongs to the stretch above it.
+/// Returns the index of the piece at x; a knot belongs to the piece above it.
 pub(super) fn stretch(knots_m: &[f64], x: f64) -> usize {
     knots_m.partition_point(|knot| *knot <= x)
 }
 
-/// The ends of a stretch, m; infinite at either end of the law.
+/// Returns the ends of a piece, m; infinite at the ends of the law.
 pub(super) fn ends(knots_m: &[f64], stretch: usize) -> (f64, f64) {
     let below = if stretch == 0 { f64::NEG_INFINITY } else { knots_m[stretch - 1] };
     (below, knots_m.get(stretch).copied().unwrap_or(f64::INFINITY))

@@ -1,27 +1,26 @@
-//! The inertia that a mechanism adds to the plate: the rotation of what turns with it, and the springs' own mass.
+//! Inertia that a mechanism adds to the plate: geared rotation and the mass of the springs.
 //!
-//! A plate that turns by dphi/dx per displacement has the kinetic energy of an additional mass `I_z (dphi/dx)²` (thesis 6.2.7,
-//! the principle of rotational transfer). Of a spring's own mass a part moves with the plate: that with the kinetic energy
-//! of its static shape, 1/3 of a coil spring (Rayleigh), 33/140 of a cantilever, 13/35 of a beam guided at its end. A coil
-//! spring weighs at least `4 rho G U/tau²` for the energy U it has to store; U is that of the cocked spring and of
-//! projectile, plate and the spring's own moving part at common velocity, together.
+//! A plate with the rotation dphi/dx has the kinetic energy of an additional mass `I_z (dphi/dx)²` (thesis 6.2.7, rotational transfer). The
+//! moving fraction of the mass of a spring is that with the kinetic energy of its static shape: 1/3 for a coil spring (Rayleigh), 33/140
+//! for a cantilever, 13/35 for a beam with a guided end. A coil spring weighs at least `4 rho G U/tau²` for the stored energy U: that of
+//! the cocked spring plus the kinetic energy of projectile, plate and moving part of the spring at common velocity.
 
 use crate::model::mechanism::Spring;
 use crate::model::scene::{self, OwnMass, Scene};
 use crate::numerics::larger;
 
-/// The additional mass that moves with the plate, kg.
+/// Additional mass that moves with the plate.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Inertia {
-    /// `I_z (dphi/dx)²` of what turns.
+    /// Mass equivalent to the rotation, `I_z (dphi/dx)²`, kg.
     pub rotation_kg: f64,
-    /// All of it: that, and the moving part of the springs' own mass.
+    /// Total additional mass: rotation and moving fraction of the springs, kg.
     pub added_kg: f64,
-    /// The springs' whole mass, where it is known; an absent one has none.
+    /// Total mass of the springs if known, kg; 0 for an absent spring.
     pub spring_mass_kg: Option<f64>,
-    /// Whether the first spring's mass is to count and is not known: it counts as nothing.
+    /// Whether the mass of the first spring is to be included but is unknown; it is then 0.
     pub is_uncounted: bool,
-    /// The mass of the first spring, where it is known, else none.
+    /// Mass of the first spring if known, else 0, kg.
     known_kg: f64,
     /// Mass of the springs that moves with the plate, kg.
     counted_kg: f64,
@@ -35,7 +34,7 @@ impl Inertia {
         }
         let spring = &scene.mechanism.spring;
         let is_counted = spring.own_mass == OwnMass::Counted;
-        // Given, of beams, of an absorber by the energy of its whole stroke, or, where it is to count, of wire.
+        // Mass as given, of beams, of an absorber by its specific energy, or of wire if it is to be included.
         let own_kg = spring
             .mass_kg
             .or_else(|| spring.law().mass_kg(spring, scene.mechanism.energy_j_kg))
@@ -46,7 +45,7 @@ impl Inertia {
         Self {
             rotation_kg,
             added_kg: rotation_kg + spring.law().moving_part(spring) * counted_kg,
-            // Of the second spring no mass is known.
+            // The mass of the second spring is unknown.
             spring_mass_kg: own_kg.filter(|_| scene.mechanism.second_law().is_absent()),
             is_uncounted: is_counted && own_kg.is_none() && !spring.is_absent(),
             known_kg: own_kg.unwrap_or(0.0),
@@ -54,7 +53,7 @@ impl Inertia {
         }
     }
 
-    /// The springs' whole mass where it is known, else the greater of its lower bounds: the least by their energy, and what is known, kg.
+    /// Returns the total mass of the springs, kg; if unknown, the larger of its lower bounds (by energy, and the known part).
     pub fn spring_kg(&self, least_kg: Option<f64>) -> Option<f64> {
         self.spring_mass_kg.or_else(|| Some(larger(least_kg?, self.known_kg)))
     }
@@ -66,14 +65,13 @@ impl Inertia {
     }
 }
 
-/// The mass that answers when the plate is pushed: `m_2` and what its mechanism adds, kg.
+/// Returns the effective mass of the plate, kg: `m_2` plus the mass that the mechanism adds.
 pub fn moving_plate_kg(scene: &Scene) -> f64 {
     scene.plate_mass_kg() + Inertia::from_scene(scene).added_kg
 }
 
-/// The wire that stores what a spring holds cocked and what projectile, plate and its own moving part keep at common velocity, kg.
-/// Beside a second spring it is taken to store all of the latter: an upper bound. `None` of other springs than coils where no specific
-/// energy is given.
+/// Returns the mass of wire that stores the energy of the cocked spring and the kinetic energy at common velocity, kg; an upper bound with
+/// a second spring. `None` for a spring that is not a coil, without a given specific energy.
 fn coil_kg(scene: &Scene) -> Option<f64> {
     let spring = &scene.mechanism.spring;
     let energy_j_kg = scene.mechanism.specific_energy_j_kg()?;

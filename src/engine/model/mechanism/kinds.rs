@@ -1,7 +1,7 @@
-//! The kinds of spring: the table of them, and the law of each.
+//! Kinds of springs: their table, and the trait of their laws.
 //!
-//! A kind is one file: its parameters, its force law, its own mass, and its range of validity. Chapters 5, 6, 9.4 and 9.5 of
-//! the thesis name the kinds.
+//! Each kind has a file with its parameters, force law, mass and range of validity. Chapters 5, 6, 9.4 and 9.5 of the thesis name the
+//! kinds.
 
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::curve::Curve;
@@ -24,8 +24,8 @@ mod table;
 pub use beam::Beam;
 pub use table::Table;
 
-/// Defines the spring and the kinds in the order of lists. A line has the module of a kind, its parameters, and the kind, or those
-/// of the same parameters, with the words for files and screens.
+/// Defines the spring and its kinds in the order of lists. A line has a module, its parameters, and the kinds with these parameters and
+/// their words in files and on screens.
 macro_rules! kinds {
     (
         $(#[$meta:meta])*
@@ -44,7 +44,7 @@ macro_rules! kinds {
         }
 
         labelled_enum! {
-            /// The spring's force law.
+            /// Force law of a spring.
             pub enum SpringKind: word {
                 $(#[$plain_meta])*
                 PowerLaw = $plain,
@@ -53,7 +53,7 @@ macro_rules! kinds {
         }
 
         impl Spring {
-            /// The law of its kind.
+            /// Returns the law of the kind.
             pub(in crate::model) fn law(&self) -> &dyn Law {
                 match self.kind {
                     SpringKind::PowerLaw => &power_law::Plain,
@@ -62,7 +62,7 @@ macro_rules! kinds {
             }
         }
 
-        /// The rows of the spring.
+        /// Returns the variables of the spring.
         pub(in crate::model) fn spring_rows() -> Vec<Variable> {
             let of_kind = |listed, rows| placed(Group::Mechanism, listed, Scene::is_sprung, rows);
             [
@@ -104,7 +104,7 @@ kinds! {
             optional(Mass, NonNegative, "auto")
             .when(|scene| scene.mechanism.spring.own_mass == OwnMass::Counted || scene.mechanism.spring.mass_kg.is_some())
             .source("auto: of its beams, U/e_spring, or of a coil 4 rho G U/tau^2 (thesis section 9.5.1)");
-        /// The wire it is wound of, where its mass follows from that.
+        /// Wire of a coil spring, for its mass.
         pub wire: Wire = Wire::default();
     }
 
@@ -120,9 +120,9 @@ kinds! {
     table: Table { Table = "table" }
 }
 
-/// The law of a kind of spring. `self` are its own parameters, `spring` has those of every kind; both are valid.
+/// Law of a kind of spring. `self` has its own parameters, `spring` those of all kinds; both are valid.
 pub(in crate::model) trait Law {
-    /// The power law it is by itself, if it is one.
+    /// Returns the law if it is a power law.
     fn power_law(&self, _: &Spring) -> Option<PowerLaw> {
         None
     }
@@ -132,12 +132,12 @@ pub(in crate::model) trait Law {
         Curve::power(self.power_law(spring).unwrap_or(PowerLaw::NONE))
     }
 
-    /// Checks the rules between its parameters.
+    /// Checks the rules between the parameters.
     fn check(&self) -> Result<(), VariableError> {
         Ok(())
     }
 
-    /// Up to which displacements on one side, 1 or -1, it is valid, m, and what happens beyond, in words; the nearest first.
+    /// Returns the limits of validity on one side (1 or -1), m, nearest first, with a text about the behaviour beyond.
     fn limits(&self, _: &Spring, _side: f64) -> Vec<(f64, &'static str)> {
         Vec::new()
     }
@@ -147,50 +147,50 @@ pub(in crate::model) trait Law {
         None
     }
 
-    /// The part of its mass that moves with its end: that with the kinetic energy of its static shape, here of a coil spring.
+    /// Returns the fraction of the mass that moves with the end, by the kinetic energy of the static shape; by default of a coil spring.
     fn moving_part(&self, _: &Spring) -> f64 {
         1.0 / 3.0
     }
 
-    /// The additional mass with the kinetic energy of what turns as it yields, kg.
+    /// Returns the mass equivalent to geared rotation, kg.
     fn rotation_kg(&self) -> f64 {
         0.0
     }
 
-    /// The bending stress at a displacement over the yield strength, of a spring that bends.
+    /// Returns the bending stress at a displacement, relative to the yield strength; `None` for a spring without bending.
     fn stress_ratio(&self, _: &Spring, _x_m: f64) -> Option<f64> {
         None
     }
 
-    /// The displacement at which it yields before any other limit, m.
+    /// Returns the displacement at which the spring yields, m; `None` if another limit comes first.
     fn yields_at_m(&self, _: &Spring) -> Option<f64> {
         None
     }
 }
 
 impl Spring {
-    /// Whether there is exactly one of it.
+    /// Returns `true` for a single spring.
     pub fn is_single(&self) -> bool {
         (self.count - 1.0).abs() < f64::EPSILON
     }
 
-    /// Whether it is a power law without force.
+    /// Returns `true` for a law without force.
     pub fn is_absent(&self) -> bool {
         self.power_law().is_some_and(PowerLaw::is_absent)
     }
 
-    /// The power law it is by itself, if it is one.
+    /// Returns the law if it is a power law.
     pub fn power_law(&self) -> Option<PowerLaw> {
         self.law().power_law(self)
     }
 
-    /// The displacement at which it yields, m; `None` where other limits come first or it does not bend.
+    /// Returns the displacement at which the spring yields, m; `None` if another limit comes first, or without bending.
     pub fn yields_at_m(&self) -> Option<f64> {
         self.law().yields_at_m(self)
     }
 }
 
-/// Without a given energy per mass a coil's mass follows from its wire.
+/// Returns `true` if the mass of a coil spring follows from its wire: without a given specific energy.
 fn is_mass_of_wire(scene: &Scene) -> bool {
     let mechanism = &scene.mechanism;
     let is_coil = mechanism.spring.power_law().is_some();

@@ -1,45 +1,45 @@
 //! Analytic piece of a force law: force, stiffness and energy.
 //!
-//! Between two knots a law is one analytic function. It is continued a little beyond them, because a step may pass an event before the
-//! event is located.
+//! A law is one analytic function between two knots. It is also evaluated slightly beyond them: a step can pass an event before the event
+//! is located.
 
 use crate::model::mechanism::PowerLaw;
 
-/// An analytic force over displacement, N over m.
+/// Analytic force as a function of displacement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Piece {
     /// `c0 + c1 z + c2 z² + c3 z³` with z = x - `from_m`.
     Cubic {
-        /// Where z is zero, m.
+        /// Position of z = 0, m.
         from_m: f64,
-        /// N, N/m, N/m², N/m³.
+        /// Coefficients, N, N/m, N/m², N/m³.
         c: [f64; 4],
     },
-    /// A pseudo-rigid link: `force_n asin(s)/sqrt(1 - s²)`, s = x/`reach_m`.
+    /// Pseudo-rigid link: `force_n asin(s)/sqrt(1 - s²)`, s = x/`reach_m`.
     Link {
-        /// K/(gamma l), N.
+        /// Force scale K/(gamma l), N.
         force_n: f64,
-        /// gamma l, m.
+        /// Length gamma l, m.
         reach_m: f64,
     },
-    /// A power law on one side of zero; the side of one that is smooth there does not matter.
+    /// Power law on one side of zero; the side has no effect for a law that is analytic at zero.
     Power {
-        /// The law.
+        /// Law.
         law: PowerLaw,
-        /// 1 or -1.
+        /// Side, 1 or -1.
         side: f64,
     },
-    /// Equal displacements.
+    /// Two laws in parallel (equal displacement).
     Parallel(Box<[Self; 2]>),
 }
 
 impl Piece {
-    /// A straight line through (x, force) with a slope.
+    /// Returns a linear law through (x, force) with a stiffness.
     pub fn line(x_m: f64, force_n: f64, slope_n_m: f64) -> Self {
         Self::Cubic { from_m: x_m, c: [force_n, slope_n_m, 0.0, 0.0] }
     }
 
-    /// The force at x, N.
+    /// Returns the force at x, N.
     pub fn force(&self, x: f64) -> f64 {
         match self {
             Self::Cubic { from_m, c } => {
@@ -55,7 +55,7 @@ impl Piece {
         }
     }
 
-    /// dF/dx at x, N/m.
+    /// Returns the stiffness dF/dx at x, N/m.
     pub fn tangent(&self, x: f64) -> f64 {
         match self {
             Self::Cubic { from_m, c } => {
@@ -72,7 +72,7 @@ impl Piece {
         }
     }
 
-    /// An antiderivative of the force, J; its constant is the curve's business.
+    /// Returns an antiderivative of the force, J; the curve adds the integration constant.
     pub fn energy(&self, x: f64) -> f64 {
         match self {
             Self::Cubic { from_m, c } => {
@@ -88,13 +88,13 @@ impl Piece {
         }
     }
 
-    /// -F(-x), of a cubic; any other piece is odd.
+    /// Returns the law -F(-x); only a cubic is not odd.
     pub(super) fn mirrored(&self) -> Self {
         let Self::Cubic { from_m, c } = self else { return self.clone() };
         Self::Cubic { from_m: -from_m, c: [-c[0], c[1], -c[2], c[3]] }
     }
 
-    /// Whether it is infinitely steep at zero.
+    /// Returns `true` if the stiffness at zero is infinite.
     pub fn is_steep_at_zero(&self) -> bool {
         match self {
             Self::Power { law, .. } => law.is_steep_at_zero(),

@@ -1,7 +1,6 @@
-//! The spring as a run sees it: a power law, or a curve of any shape.
+//! Combined force law of all springs: a power law with closed forms, or a general curve.
 //!
-//! A power law has closed forms, and a compiled path of its own: the choice costs one comparison. All else is found from the knots and
-//! the stations of either: between two stations the energy only rises or only falls.
+//! Bounds and inverses of a curve follow from its stations, between which force and energy are monotone.
 
 use std::sync::Arc;
 
@@ -12,10 +11,10 @@ use crate::model::scene;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
-/// Doublings on the way to where an energy ends, or a force is reached, beyond the last knot.
+/// Number of doublings of the distance in the search for an energy or a force beyond the last knot.
 const DOUBLINGS: i32 = 80;
 
-/// The force law of all springs together.
+/// Combined force law of all springs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spring {
     /// Power law; absent if its coefficient is zero.
@@ -25,10 +24,10 @@ pub enum Spring {
 }
 
 impl Spring {
-    /// No spring.
+    /// Law without force.
     pub const NONE: Self = Self::Power(PowerLaw::NONE);
 
-    /// The law of a valid scene's mechanism, whatever the mount, after an absorber was crushed up to a displacement, m.
+    /// Creates the law of a valid mechanism, independent of the mount, with the crushed length of an absorber, m.
     pub fn new(mechanism: &scene::Mechanism, crushed_m: f64) -> Self {
         let (first, second) = (&mechanism.spring, mechanism.second_law());
         let curve = || first.law().curve(first, crushed_m);
@@ -56,8 +55,8 @@ impl Spring {
         self.beside(&Curve::new(laws, larger(at_m.abs(), SCALE_M)))
     }
 
-    /// Adds a constant force in parallel, N, of a plate that goes to an end at most, m; infinite without one. The energy is zero at the lowest
-    /// point up to there.
+    /// Adds a constant force in parallel, N. The minimum of the energy up to the displacement `end_m`, m (infinite without an end), is
+    /// zero.
     #[must_use]
     pub fn beside_force(&self, force_n: f64, end_m: f64) -> Self {
         let line = Piece::line(0.0, force_n, 0.0);
@@ -74,12 +73,12 @@ impl Spring {
         }))
     }
 
-    /// The power law, where it is one.
+    /// Returns the power law; `None` for a curve.
     pub fn power(&self) -> Option<PowerLaw> {
         if let Self::Power(law) = self { Some(*law) } else { None }
     }
 
-    /// The ends of its analytic stretches, rising, m: of a power law zero, or none where it goes smoothly through that.
+    /// Returns the knots, increasing, m; for a power law zero, unless it is analytic there.
     pub(super) fn knots_m(&self) -> &[f64] {
         match self {
             Self::Power(law) if law.is_smooth_at_zero() => &[],
@@ -96,17 +95,17 @@ impl Spring {
         }
     }
 
-    /// The stretch in which x lies; its end belongs to the stretch above it.
+    /// Returns the index of the piece at x; a knot belongs to the piece above it.
     pub fn stretch(&self, x: f64) -> usize {
         curve::stretch(self.knots_m(), x)
     }
 
-    /// The ends of a stretch, m; infinite where it has none.
+    /// Returns the ends of a piece, m; infinite at the ends of the law.
     pub fn ends(&self, stretch: usize) -> (f64, f64) {
         curve::ends(self.knots_m(), stretch)
     }
 
-    /// Force at x by the law of a stretch, which goes on a little beyond its ends, N.
+    /// Returns the force at x by the law of a piece, also slightly beyond its ends, N.
     pub fn force_in(&self, stretch: usize, x: f64) -> f64 {
         match self {
             Self::Power(law) => law.force_on(if stretch == 0 { -1.0 } else { 1.0 }, x),
@@ -114,7 +113,7 @@ impl Spring {
         }
     }
 
-    /// dF/dx at x by the law of a stretch, N/m.
+    /// Returns the stiffness at x by the law of a piece, N/m.
     pub fn tangent_in(&self, stretch: usize, x: f64) -> f64 {
         match self {
             Self::Power(law) => law.tangent(x),
@@ -122,7 +121,7 @@ impl Spring {
         }
     }
 
-    /// Whether it is infinitely steep at zero.
+    /// Returns `true` if the stiffness at zero is infinite.
     pub fn is_steep_at_zero(&self) -> bool {
         match self {
             Self::Power(law) => law.is_steep_at_zero(),
@@ -130,17 +129,17 @@ impl Spring {
         }
     }
 
-    /// Whether the law is one analytic function for all displacements.
+    /// Returns `true` if the law is one analytic function.
     pub fn is_analytic(&self) -> bool {
         self.knots_m().is_empty()
     }
 
-    /// Whether there is no spring at all.
+    /// Returns `true` for a law without force.
     pub fn is_absent(&self) -> bool {
         self.power().is_some_and(PowerLaw::is_absent)
     }
 
-    /// Force at x, N.
+    /// Returns the force at x, N.
     #[inline]
     pub fn force(&self, x: f64) -> f64 {
         match self {
@@ -149,12 +148,12 @@ impl Spring {
         }
     }
 
-    /// dF/dx at x, N/m; above a knot at a knot.
+    /// Returns the stiffness at x, N/m; at a knot that of the piece above.
     pub fn tangent(&self, x: f64) -> f64 {
         self.tangent_in(self.stretch(x), x)
     }
 
-    /// Energy stored at x, J: zero at the lowest point.
+    /// Returns the energy stored at x, J; its minimum is 0.
     #[inline]
     pub fn energy(&self, x: f64) -> f64 {
         match self {
@@ -163,15 +162,15 @@ impl Spring {
         }
     }
 
-    /// The greatest energy stored between two displacements, J.
+    /// Returns the maximum energy stored between two displacements, J.
     pub fn greatest_energy(&self, from_m: f64, to_m: f64) -> f64 {
         let (low, high) = if from_m < to_m { (from_m, to_m) } else { (to_m, from_m) };
         let inside = self.stations_m().0.iter().copied().filter(|x| (low..=high).contains(x));
         inside.chain([low, high]).map(|x| self.energy(x)).fold(0.0, larger)
     }
 
-    /// Where the plate can go from x with this much energy, motion and stored together, forward, 1, or back, -1, m; infinite where
-    /// nothing holds it.
+    /// Returns the displacement that a plate reaches from x with a total energy, forward (1) or backward (-1), m; infinite if the spring
+    /// does not stop it.
     #[inline]
     pub fn reach(&self, x: f64, energy_j: f64, way: f64) -> f64 {
         if let Self::Power(law) = self {
@@ -181,8 +180,8 @@ impl Spring {
         self.first_place(x, way, |missing| missing > 0.0, missing)
     }
 
-    /// The first place on the way from x, past the stations ahead and on beyond them, where a function that is below zero before has
-    /// risen to zero, as `is_past` says of its value; x itself where it has already, infinite where it never does.
+    /// Returns the first position from x in a direction at which a function, monotone between stations, becomes zero; x if it is already
+    /// past zero (`is_past`), infinite if it has no zero.
     fn first_place(
         &self,
         x: f64,
@@ -195,7 +194,7 @@ impl Spring {
         let mut ahead: Vec<f64> = stations_m.iter().copied().filter(is_ahead).collect();
         ahead.sort_by(|a, b| (way * a).total_cmp(&(way * b)));
         let last = ahead.last().copied().unwrap_or(x);
-        // Steps that double: 1, 3, 7, ... sizes of the law.
+        // Distances 1, 3, 7, ... in characteristic lengths.
         let beyond = (1..=DOUBLINGS).map(|i| last + way * scale_m * (2f64.powi(i) - 1.0));
         let mut from = x;
         for to in ahead.into_iter().chain(beyond) {
@@ -203,7 +202,7 @@ impl Spring {
                 return if function(from) >= 0.0 {
                     from
                 } else if from == 0.0 && self.is_steep_at_zero() {
-                    // What a steep law does next to its zero is spread over the logarithm of the place.
+                    // Near a singular zero the root is bracketed in the logarithm of the position.
                     let log = |l: f64| function(way * l.exp());
                     way * bracketed_root(f64::MIN_POSITIVE.ln(), (way * to).ln(), log).exp()
                 } else {
@@ -215,8 +214,8 @@ impl Spring {
         way * f64::INFINITY
     }
 
-    /// Where, ahead of x, nothing drives a plate forward any more that is driven so at x; x itself otherwise, infinite where nothing
-    /// ends that, m.
+    /// Returns the next equilibrium in forward direction for a plate that is driven forward at x, m; x if it is not, infinite without an
+    /// equilibrium.
     pub fn rest_ahead(&self, x: f64) -> f64 {
         let force = |x: f64| self.force(x);
         if force(x) >= 0.0 {
@@ -235,7 +234,7 @@ impl Spring {
         for_ever.then_some(outward)
     }
 
-    /// The least displacement forward at which the force is this, m; infinite where it never is.
+    /// Returns the smallest positive displacement with a given force, m; infinite if there is none.
     pub fn at_force(&self, force_n: f64) -> f64 {
         if let Self::Power(law) = self {
             return law.at_force(force_n);
@@ -244,7 +243,7 @@ impl Spring {
         self.first_place(0.0, 1.0, |missing| missing >= 0.0, missing)
     }
 
-    /// The least and the greatest of zero and the forces between two displacements, N; infinite where it runs away on the way to an infinite one.
+    /// Returns minimum and maximum of the force between two displacements, zero included, N; infinite if unbounded.
     pub fn forces_between(&self, low_m: f64, high_m: f64) -> (f64, f64) {
         if let Self::Power(law) = self {
             return (smaller(law.force(low_m), 0.0), larger(law.force(high_m), 0.0));
@@ -255,12 +254,12 @@ impl Spring {
             .fold((0.0, 0.0), |(least, most), it| (smaller(it, least), larger(it, most)))
     }
 
-    /// Whether there is no force between two displacements.
+    /// Returns `true` if the force is zero between two displacements.
     pub fn is_slack(&self, low_m: f64, high_m: f64) -> bool {
         self.forces_between(low_m, high_m) == (0.0, 0.0)
     }
 
-    /// The force at x, or what it goes to where x is infinite, N.
+    /// Returns the force at x, or its limit for infinite x, N.
     fn force_towards(&self, x: f64) -> f64 {
         if x.is_finite() {
             return self.force(x);

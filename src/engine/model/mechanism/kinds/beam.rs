@@ -1,31 +1,32 @@
-//! A beam as the pseudo-rigid-body model sees it: two rigid links, a pin and a torsional spring.
+//! Pseudo-rigid-body model of a beam: two rigid links, a pin joint and a torsional spring.
 //!
-//! `P = K Theta/(gamma l cos Theta)`, `x = gamma l sin Theta`, `K = gamma K_Theta E I/l`; the load keeps its direction, the bending
-//! moment at the root is `P (l - gamma l (1 - cos Theta))`. L. L. Howell, *Compliant Mechanisms* (2001), chapter 5; thesis
-//! section 9.5.2. A beam that is guided at its end is two half-length cantilevers, `2 K` at each of its two pivots.
+//! `P = K Theta/(gamma l cos Theta)`, `x = gamma l sin Theta`, `K = gamma K_Theta E I/l`; the direction of the load is constant, the
+//! bending moment at the root is `P (l - gamma l (1 - cos Theta))`. L. L. Howell, *Compliant Mechanisms* (2001), chapter 5; thesis section
+//! 9.5.2. A beam with a guided end consists of two cantilevers of half the length, with `2 K` at each of its two pivots.
 
 use super::{Curve, Law, Piece, Spring, SpringKind, parts};
 use crate::numerics::root::bracketed_root;
 use crate::numerics::smaller;
 
-/// `K_Theta`, the stiffness coefficient of the torsional spring for a load across the beam.
+/// Stiffness coefficient `K_Theta` of the torsional spring, for a transverse load.
 const STIFFNESS_COEFFICIENT: f64 = 2.65;
-/// gamma, the characteristic radius factor of Table 9.3.
+/// Characteristic radius factor gamma of Table 9.3.
 const RADIUS_FACTOR: f64 = 0.85;
-/// The angle up to which the pseudo-rigid body follows the beam (Howell, for a load across the beam); beyond it the force
-/// goes on along its tangent, so that a run that gets there ends with a warning instead of failing.
+/// Maximum angle of the pseudo-rigid-body model for a transverse load (Howell). Beyond it the force continues along its tangent, and the
+/// run has a warning.
 const ANGLE_MAX_DEG: f64 = 64.3;
-/// Pivots of a guided beam, each of twice the stiffness of the cantilever's one.
+/// Number of pivots of a guided beam, each with twice the stiffness of that of a cantilever.
 const PIVOTS: f64 = 2.0;
-/// The parts of a beam's mass that move with its end.
+/// Moving fraction of the mass of a cantilever.
 const MOVING_CANTILEVER: f64 = 33.0 / 140.0;
+/// Moving fraction of the mass of a guided beam.
 const MOVING_GUIDED: f64 = 13.0 / 35.0;
 
 const TABLE_9_3: &str = "thesis Table 9.3";
 const TITANIUM: &str = "thesis Table 9.3: titanium 6-4";
 
 parts! {
-    /// A rectangular beam: that of Table 9.3 of the thesis, titanium 6-4, whose density it does not give.
+    /// Rectangular beam; the default is that of Table 9.3 of the thesis, titanium 6-4, whose density the thesis does not give.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Beam at (mechanism.spring.beam) {
         pub length_m: f64 = 0.3 => "l_beam", "beam length", "length of a beam", number(Length, Positive).source(TABLE_9_3);
@@ -43,7 +44,7 @@ parts! {
 }
 
 impl Beam {
-    /// K, N m/rad.
+    /// Returns the torsional stiffness K, N m/rad.
     pub fn torsional_n_m(&self) -> f64 {
         let inertia = self.width_m * self.height_m.powi(3) / 12.0;
         RADIUS_FACTOR * STIFFNESS_COEFFICIENT * self.modulus_pa * inertia / self.length_m
@@ -53,13 +54,13 @@ impl Beam {
         RADIUS_FACTOR * self.length_m
     }
 
-    /// The law of a given number of cantilevers in parallel.
+    /// Returns the law of a number of cantilevers in parallel.
     pub fn link(&self, count: f64) -> Piece {
         let reach_m = self.reach_m();
         Piece::Link { force_n: count * self.torsional_n_m() / reach_m, reach_m }
     }
 
-    /// Displacement up to which the pseudo-rigid body follows the beam, m.
+    /// Returns the maximum displacement of the pseudo-rigid-body model, m.
     fn limit_m(&self) -> f64 {
         self.reach_m() * ANGLE_MAX_DEG.to_radians().sin()
     }
@@ -78,9 +79,9 @@ impl Beam {
     }
 }
 
-/// A number of beams in parallel.
+/// Law of beams in parallel.
 impl Law for Beam {
-    /// Straight beyond where the pseudo-rigid body follows the beams.
+    /// Returns the law of the links, linear beyond the range of the pseudo-rigid-body model.
     fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
         let pivots = if spring.kind == SpringKind::FixedGuided { PIVOTS } else { 1.0 };
         let link = self.link(spring.count * pivots * pivots);

@@ -1,10 +1,10 @@
-//! A spring with two stable positions, the first at x = 0.
+//! Spring with two stable positions, the first at x = 0.
 
 use super::{Curve, Law, NO_VALUES, Piece, Spring, VariableError, parts};
 use crate::model::units;
 
 parts! {
-    /// Two stable positions and the barrier between them.
+    /// Bistable spring: two stable positions and the barrier between them.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Bistable at (mechanism.spring.bistable) {
         pub second_m: f64 = 0.02 => "x_2", "second position", "second stable position; the first is x = 0",
@@ -18,16 +18,16 @@ parts! {
 }
 
 impl Law for Bistable {
-    /// C x (x - u) (x - s): stable at 0 and s, unstable at u; C from the greatest force on the way out of 0.
+    /// Returns C x (x - u) (x - s): stable at 0 and s, unstable at u, with C from the maximum force between 0 and u.
     fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
         let s = self.second_m;
         let u = self.unstable_m.unwrap_or(0.5 * s);
-        // The slope 3x² - 2(u + s)x + us is zero at the barrier.
+        // The derivative 3x² - 2(u + s)x + us is zero at the maximum force.
         let sum = u + s;
         let top = (sum - (sum * sum - 3.0 * u * s).sqrt()) / 3.0;
         let factor = spring.count * self.barrier_n / (top * (top - u) * (top - s));
         let c = [0.0, factor * u * s, -factor * sum, factor];
-        // One cubic all over; its zeros are knots, between which the energy only rises or only falls.
+        // One cubic, with knots at its zeros, between which the energy is monotone.
         let law = |from_m: f64| (from_m, Piece::Cubic { from_m: 0.0, c });
         Curve::new([f64::NEG_INFINITY, 0.0, u, s].map(law).to_vec(), s)
     }

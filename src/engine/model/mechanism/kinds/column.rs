@@ -1,10 +1,10 @@
-//! A column that buckles, or a notched tube that folds, elastically: it goes back the way it came.
+//! Elastic buckling column or folding tube: unloading follows the loading curve.
 
 use super::{Curve, Law, NO_VALUES, Piece, Spring, parts};
 use crate::numerics::monotone;
 
 parts! {
-    /// An elastic rise, then a plateau.
+    /// Column: elastic up to a critical force, then a plateau.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Column at (mechanism.spring.column) {
         pub stiffness_n_m: f64 = 5e6 => "k_col", "column stiffness", "stiffness of the column before it buckles",
@@ -19,7 +19,7 @@ parts! {
 }
 
 impl Law for Column {
-    /// Straight up to the critical force, a smooth way to the plateau, and on along it.
+    /// Returns the law: linear up to the critical force, a smooth transition, and the plateau.
     fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
         let count = spring.count;
         let onset = self.critical_n / self.stiffness_n_m;

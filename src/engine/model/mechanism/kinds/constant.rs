@@ -1,9 +1,9 @@
-//! A force that rises linearly and then stays.
+//! Constant-force spring: linear up to the force, then constant.
 
 use super::{Curve, Law, NO_VALUES, Piece, Spring, parts};
 
 parts! {
-    /// A constant force and the way to it.
+    /// Constant force and the displacement at which it is reached.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct ConstantForce at (mechanism.spring.constant) {
         pub force_n: f64 = 2e3 => "F_c", "constant force", "the constant force",

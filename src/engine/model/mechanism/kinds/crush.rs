@@ -1,14 +1,14 @@
-//! An absorber that only pushes: it is crushed at a constant force and unloads elastically from where it was crushed to.
+//! Absorber in compression: crushed at a constant force, elastic unloading from the crushed length.
 
 use super::{Curve, Law, Piece, Spring, VariableError, parts};
 use crate::model::units;
 use crate::numerics::{larger, smaller};
 
-/// Crushing below this part of the displacement is rounding.
+/// Relative increase of the displacement below which crushing is rounding error.
 const ROUNDING: f64 = 1e-12;
 
 parts! {
-    /// A crush force, the way to it, and its end.
+    /// Absorber: crush force, stiffness and stroke.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Crush at (mechanism.spring.crush) {
         pub force_n: f64 = 5e3 => "F_crush", "crush force", "force at which the absorber is crushed",
@@ -21,12 +21,12 @@ parts! {
 }
 
 impl Crush {
-    /// The displacement at which an absorber that was never loaded begins to be crushed, m.
+    /// Returns the displacement at which a new absorber starts to be crushed, m.
     pub fn rise_m(&self) -> f64 {
         self.force_n / self.stiffness_n_m
     }
 
-    /// How far it is crushed, m, where what presses it turns at x, and has not been as far before.
+    /// Returns the crushed length after a reversal at x, m; `None` if it does not exceed the length before.
     pub fn crushed_by(&self, x_m: f64, before_m: f64) -> Option<f64> {
         let farthest_m = larger(before_m, self.rise_m()) * (1.0 + ROUNDING);
         (before_m < self.stroke_m && x_m > farthest_m).then_some(x_m)
@@ -34,14 +34,14 @@ impl Crush {
 }
 
 impl Law for Crush {
-    /// Nothing where the absorber has set, an elastic rise up to where it was crushed last, a constant force up to its stroke, and
-    /// solid from there on.
+    /// Returns the law: no force up to the residual displacement, elastic up to the crushed length, the crush force up to the stroke, and
+    /// solid beyond.
     fn curve(&self, spring: &Spring, crushed_m: f64) -> Curve {
         let (force, stiffness) = (spring.count * self.force_n, spring.count * self.stiffness_n_m);
         let (rise, stroke) = (self.rise_m(), self.stroke_m);
         let from = smaller(larger(crushed_m, rise), stroke);
         let elastic = |at: f64| Piece::line(at, force, stiffness);
-        // Exactly zero where the plate starts.
+        // Exactly zero at the start of the plate.
         let new = Piece::line(0.0, 0.0, stiffness);
         let mut laws = vec![
             (f64::NEG_INFINITY, Piece::line(0.0, 0.0, 0.0)),
@@ -53,7 +53,7 @@ impl Law for Crush {
         Curve::new(laws, stroke)
     }
 
-    /// An absorber begins to be crushed before it is flat.
+    /// Checks that the stroke exceeds the elastic displacement.
     fn check(&self) -> Result<(), VariableError> {
         if self.stroke_m > self.rise_m() {
             return Ok(());
@@ -72,7 +72,7 @@ impl Law for Crush {
         vec![(limit_m, "the absorber is crushed flat; it is solid from there on")]
     }
 
-    /// Mass of the whole stroke, kg, whether or not a shot uses all of it.
+    /// Returns the mass of the whole stroke, kg, even if a shot uses only a part of it.
     fn mass_kg(&self, spring: &Spring, energy_j_kg: Option<f64>) -> Option<f64> {
         Some(spring.count * self.force_n * self.stroke_m / energy_j_kg?)
     }

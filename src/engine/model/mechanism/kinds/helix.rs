@@ -1,9 +1,9 @@
-//! A helical spring whose plate turns as it yields.
+//! Helical spring that rotates the plate.
 
 use super::{Law, NO_VALUES, PowerLaw, Spring, parts};
 
 parts! {
-    /// A linear spring that turns the plate.
+    /// Linear spring with geared rotation of the plate.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Helix at (mechanism.spring.helix) {
         pub stiffness_n_m: f64 = 1e5 => "k_helix", "helix stiffness", "axial stiffness of the helical rotating spring",

@@ -1,9 +1,9 @@
-//! `F_ref |x/x_ref|^n sgn(x)`: a power law that stays the same when units change.
+//! Power law `F_ref |x/x_ref|^n sgn(x)`, with coefficients independent of the units.
 
 use super::{Law, PowerLaw, Spring, parts};
 
 parts! {
-    /// A power law by its force at a displacement.
+    /// Power law by its force at a reference displacement.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Normalised at (mechanism.spring.normalised) {
         pub force_n: f64 = 1e3 => "F_ref", "reference force",

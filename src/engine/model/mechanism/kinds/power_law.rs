@@ -1,4 +1,4 @@
-//! The thesis's spring, `k |x|^n sgn(x)`, from the coefficient and the exponent that every spring has.
+//! Spring of the thesis, `k |x|^n sgn(x)`, with the coefficient and the exponent that every spring has.
 
 use super::{Law, PowerLaw, Spring};
 

@@ -1,4 +1,4 @@
-//! A measured force over displacement.
+//! Measured force-displacement curve.
 
 use std::sync::Arc;
 
@@ -6,17 +6,17 @@ use super::{Curve, Law, Piece, Spring, VariableError, parts};
 use crate::model::units;
 use crate::numerics::{larger, monotone};
 
-/// Most points of a table: a measurement has fewer, and each is an event of the run.
+/// Maximum number of points of a table; each is an event of the run.
 const POINTS_MAX: usize = 2_000;
 
-/// Tolerance for three points on one line, relative to the greatest force of the table; above rounding error.
+/// Tolerance for three points on one line, relative to the maximum force of the table; above rounding error.
 const ROUNDING: f64 = 1e-12;
 
 parts! {
-    /// Points of a measured curve: the baseline's spring, 100 kN/m. One at x = 0, F = 0 at the start makes the law odd.
+    /// Points of a measured curve; by default of a spring with 100 kN/m. A first point x = 0, F = 0 makes the law odd.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Table at (mechanism.spring.table) {
-        /// (x m, F N) with rising x.
+        /// Points (x in m, F in N) with increasing x.
         pub points: Arc<[[f64; 2]]> = Arc::from([[0.0, 0.0], [0.01, 1e3], [0.05, 5e3]]);
     }
 }
@@ -28,7 +28,7 @@ impl Table {
 }
 
 impl Law for Table {
-    /// The points joined by shape-preserving cubics, those on a line by that line, and on along the tangents at both ends.
+    /// Returns the monotone cubic interpolant of the points, linear for points on a line, with tangents beyond both ends.
     fn curve(&self, spring: &Spring, _crushed_m: f64) -> Curve {
         let mut points: Vec<[f64; 2]> =
             self.points.iter().map(|[x, force]| [*x, force * spring.count]).collect();
@@ -36,7 +36,7 @@ impl Law for Table {
         let last = points.len() - 1;
         let scale_m = points[last][0] - points[0][0];
         let rounding_n = ROUNDING * points.iter().map(|point| point[1].abs()).fold(0.0, larger);
-        // A point beyond the end, on the tangent there.
+        // A point on the tangent beyond the end.
         points.push([points[last][0] + scale_m, points[last][1] + slopes[last] * scale_m]);
         slopes.push(slopes[last]);
         let line = |at: usize| Piece::line(points[at][0], points[at][1], slopes[at]);
@@ -44,7 +44,7 @@ impl Law for Table {
         let mut laws = Vec::from_iter(before);
         for at in 0..=last {
             let (from, to) = (points[at], points[at + 1]);
-            // A piece has the point and the slope where it begins: it is the law where it has those at the next point, too.
+            // A piece continues if it also has the point and the slope at the next knot.
             let goes_on = |piece: &Piece| {
                 let slope_off = piece.tangent(to[0]) - slopes[at + 1];
                 let off_n = [piece.force(to[0]) - to[1], slope_off * (to[0] - from[0])];
@@ -59,7 +59,7 @@ impl Law for Table {
         if self.is_odd() { Curve::odd(&laws, scale_m) } else { Curve::new(laws, scale_m) }
     }
 
-    /// A table has enough points, which are finite, rise in x, and reach the rest position.
+    /// Checks that the table has enough points, which are finite and increasing in x and include the rest position.
     fn check(&self) -> Result<(), VariableError> {
         let points = &self.points;
         let count = points.len();
