@@ -34,9 +34,9 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// The results alone.
+    /// Results only.
     pub const BARE: Self = Self { series: false, every_s: None, estimate: false, work_max: None };
-    /// The series too.
+    /// Results and time series.
     pub const SERIES: Self = Self { series: true, ..Self::BARE };
 
     /// Work after which a run to a tolerance ends undecided.
@@ -54,7 +54,7 @@ const DIGIT_WORK: f64 = 1.5;
 /// as long as so many evaluations.
 const STEP_WORK: usize = 60;
 
-/// Most rows at equal times: a series of that many takes about half a gigabyte.
+/// Maximum number of rows at equal intervals; they take about half a gigabyte.
 pub const EVERY_ROWS_MAX: usize = 5_000_000;
 
 impl Default for Settings {

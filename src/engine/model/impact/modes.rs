@@ -44,8 +44,8 @@ pub(super) struct HybridMode {
     pub(super) deepest_m: f64,
     /// Volumes that the nose has swept up to where plastic bodies stick and up to the bottom of the hole, m³; `None` while they slip.
     pub(super) stuck_m3: Option<[f64; 2]>,
-    /// Displacement from which the state's is measured: the stop's, once it has been struck, so that bounces keep their digits, and
-    /// zero again where the plate is nearer to that.
+    /// Origin of the displacement in the state: the stop after the first hit, so that small bounces keep their digits; zero again if the
+    /// plate is closer to that.
     pub(super) origin_m: f64,
     pub(super) spring: Spring,
     /// Combined law of spring and elastic stop.

@@ -18,7 +18,7 @@ use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::step::{StagePredictor, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
-/// Length of the first step in passages of a tip radius.
+/// Size of the first step, relative to R / v_i.
 const FIRST_STEP: f64 = 0.5;
 /// Step-size factor if an event can precede the first sampling point, which is at this fraction of the step.
 const UNRESOLVED_EVENT_CUT: f64 = 1.0 / 16.0;
@@ -146,7 +146,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         }
         let record = &self.course.record;
         let Cost { events, turns, .. } = record.cost;
-        // The first contact ends, however often the plate turns in it.
+        // The first contact always ends, regardless of the number of reversals.
         let is_over = record.first_arrest.is_some() || record.exit.is_some();
         if record.cost.work() > self.work_max {
             let oscillates =
