@@ -272,7 +272,7 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
         &["minimise", "maximise", "objective"],
         "a result that a front makes as small, or as large, as possible",
     ),
-    (&["candidate"], "one of the armours that are compared"),
+    (&["candidate", "candidates"], "one of the armours that are compared"),
     (&["nominal"], "result for the values of the scene itself, without their tolerances"),
     (
         &["Monte Carlo", "montecarlo", "sample", "samples"],
@@ -453,4 +453,8 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
     ),
     (&["view"], "another way to show the same results"),
     (&["name in files", "key"], "name in scene files, CSV and JSON"),
+    (
+        &["solid", "solid plate"],
+        "a plate of the same material without a mechanism, to which mass efficiency refers",
+    ),
 ];
