@@ -73,8 +73,7 @@ pub const CONTACT_WINDOW: f64 = 1.1;
 pub struct RunSnapshot<'a> {
     /// Simulated time, s.
     pub t_s: f64,
-    /// Returns the partial run, or the complete run without its error estimate; `None` for the listing of Appendix A, and for further
-    /// plates of a stack.
+    /// Returns the run so far, without its error estimate; `None` for the listing of Appendix A, and for further plates of a stack.
     pub so_far: &'a dyn Fn() -> Option<Run>,
 }
 
@@ -114,8 +113,7 @@ pub struct Run {
     pub plate_velocity_after_m_s: Option<f64>,
     /// Maximum compression of the fused interface, relative to its strength A `S_y`.
     pub interface_demand_ratio: Option<f64>,
-    /// Maximum tension of the fused interface up to the end of the run, relative to its strength `g A S_y`; infinite for g = 0, `None` for
-    /// an interface that can separate.
+    /// Maximum tension of the fused interface, relative to its strength `g A S_y`; infinite for g = 0, `None` if it can separate.
     pub interface_tension_ratio: Option<f64>,
     /// Relative error estimate of the final depth (for a perforation of the exit time); infinite if unknown.
     pub error_estimate: Option<f64>,
@@ -469,8 +467,7 @@ impl Run {
         self.stack.as_ref().map_or(self.residual_velocity_m_s, |stack| stack.residual_velocity_m_s)
     }
 
-    /// Returns how far the nose of an arrested projectile protrudes from the rear face, m; `None` if it does not. The army criterion counts
-    /// this as a complete penetration.
+    /// Returns how far the nose of an arrested projectile protrudes from the rear face, m: by the army criterion a complete penetration.
     pub fn protrusion_m(&self) -> Option<f64> {
         let depth = self.final_penetration_m.or(self.at_least.penetration_m)?;
         let out = depth - self.scene.effective_thickness_m();

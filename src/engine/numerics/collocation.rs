@@ -8,12 +8,16 @@
 use std::array;
 use std::sync::LazyLock;
 
+use newton_matrix::NewtonMatrix;
+
 use crate::numerics::quadrature::{self, legendre, legendre_and_slope};
 use crate::numerics::root::newton_root;
 use crate::numerics::step::{
     Jacobian, Point, SecondOrderOde, Square, StagePredictor, Step, Stepper, dot, series,
 };
 use crate::numerics::{larger, smaller};
+
+mod newton_matrix;
 
 /// Maximum number of iterations of each method for the stage equations. A contraction rate of 0.2 reaches rounding error within it.
 const ITERATIONS_MAX: usize = 20;
@@ -439,83 +443,13 @@ fn by_place<const D: usize, const S: usize>(values: impl Fn(usize) -> [f64; D]) 
     stages
 }
 
-/// The first guess of the stages: the acceleration at the start, or none where it would change the speed by more than itself.
+/// Returns the initial guess of the stages: the acceleration at the start, or 0 if it would change the velocity by more than itself.
 fn guess<const D: usize>(law: &impl SecondOrderOde<D>, start: &Point<D>, h: f64) -> [f64; D] {
     let (first, speed) = (law.at(0.0, start), start.1);
     array::from_fn(|d| {
         let is_modest = (h * first[d]).abs() <= speed[d].abs() || speed[d] == 0.0;
         if is_modest && first[d].is_finite() { first[d] } else { 0.0 }
     })
-}
-
-/// A matrix of `D` times `D` blocks of `S`, factored by Gauss and Jordan's elimination with partial pivoting, for several right-hand
-/// sides.
-struct NewtonMatrix<const D: usize, const S: usize> {
-    /// Columns of the factors; the diagonal has the reciprocals.
-    columns: [[Stages<D, S>; S]; D],
-    pivots: [[usize; S]; D],
-}
-
-impl<const D: usize, const S: usize> NewtonMatrix<D, S> {
-    fn zero() -> Self {
-        Self { columns: [[[[0.0; S]; D]; S]; D], pivots: [[0; S]; D] }
-    }
-
-    /// Becomes the matrix 1 - h J' A - h² J A² of Newton's method, factored: with the derivatives J' by speed and J by place at the stages.
-    fn set(&mut self, a: &Square<S>, square: &Square<S>, slopes: &[Jacobian<D>; S], h: f64) {
-        for (e, columns) in self.columns.iter_mut().enumerate() {
-            for d in 0..D {
-                let by_speed: [f64; S] = array::from_fn(|i| h * slopes[i].speed[d][e]);
-                let by_place: [f64; S] = array::from_fn(|i| h * h * slopes[i].place[d][e]);
-                for (column, (a, square)) in columns.iter_mut().zip(a.iter().zip(square)) {
-                    column[d] = array::from_fn(|i| -a[i] * by_speed[i] - square[i] * by_place[i]);
-                }
-            }
-            for (j, column) in columns.iter_mut().enumerate() {
-                column[e][j] += 1.0;
-            }
-        }
-        let (columns, pivots) = (self.columns.as_flattened_mut(), self.pivots.as_flattened_mut());
-        for (at, pivot) in pivots.iter_mut().enumerate() {
-            let (done, rest) = columns.split_at_mut(at + 1);
-            let column = done[at].as_flattened_mut();
-            *pivot = at;
-            for row in at + 1..column.len() {
-                if column[row].abs() > column[*pivot].abs() {
-                    *pivot = row;
-                }
-            }
-            column.swap(at, *pivot);
-            column[at] = 1.0 / column[at];
-            for other in rest {
-                eliminate(&done[at], (at, *pivot), other);
-            }
-        }
-    }
-
-    /// The solution replaces the right-hand side; `false` where it is not finite.
-    fn solve(&self, right: &mut Stages<D, S>) -> bool {
-        let (columns, pivots) = (self.columns.as_flattened(), self.pivots.as_flattened());
-        for (at, (column, pivot)) in columns.iter().zip(pivots).enumerate() {
-            eliminate(column, (at, *pivot), right);
-        }
-        right.as_flattened().iter().all(|value| value.is_finite())
-    }
-}
-
-/// Takes the unknown of a column, whose row is exchanged for the pivot's, out of all other rows.
-fn eliminate<const D: usize, const S: usize>(
-    column: &Stages<D, S>,
-    (at, pivot): (usize, usize),
-    values: &mut Stages<D, S>,
-) {
-    let (column, values) = (column.as_flattened(), values.as_flattened_mut());
-    values.swap(at, pivot);
-    let unknown = values[at] * column[at];
-    for (value, factor) in values.iter_mut().zip(column) {
-        *value -= factor * unknown;
-    }
-    values[at] = unknown;
 }
 
 #[cfg(test)]

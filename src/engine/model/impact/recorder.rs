@@ -6,6 +6,7 @@ use crate::model::contact_models::ContactLaw;
 use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
+use crate::model::impact::results::sample;
 use crate::model::run::{
     Arrest, Cost, Departure, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Sample,
 };
@@ -472,40 +473,6 @@ fn peak_n(
         larger(force_n(extreme(1.0)), force_n(extreme(-1.0)))
     } else {
         path.greatest(known_n, force_n)
-    }
-}
-
-/// Returns the row of a state.
-fn sample(equations: &Equations<'_>, state: &State) -> Sample {
-    let Equations { setup, mode } = equations;
-    let contact_n = match mode.contact {
-        Contact::Fused => equations.interface_force_n(state),
-        _ => equations.contact_n(state),
-    };
-    let (x_m, w_m_s) = match mode.hold {
-        PlateConstraint::Spring => equations.quasi_static_state(state),
-        _ => (equations.displacement_m(state.x_m), state.w_m_s),
-    };
-    let spring_n = mode.spring.force(x_m);
-    Sample {
-        t_s: state.t_s,
-        mode: mode.contact,
-        penetration_m: match setup.law {
-            ContactLaw::AtOnce => f64::NAN,
-            _ => setup.geometry.depth_m(state.q_m),
-        },
-        projectile_displacement_m: state.q_m + (x_m - setup.start_m) * setup.cos,
-        projectile_velocity_m_s: setup.projectile_m_s(state),
-        plate_displacement_m: x_m,
-        plate_velocity_m_s: w_m_s,
-        contact_force_n: contact_n,
-        spring_force_n: spring_n,
-        damper_force_n: equations.damper_n(w_m_s),
-        stop_force_n: match mode.hold {
-            PlateConstraint::OnStop => contact_n * setup.cos - spring_n,
-            _ if mode.is_pressed => equations.stop_n(state.x_m, w_m_s),
-            _ => 0.0,
-        },
     }
 }
 

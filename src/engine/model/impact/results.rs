@@ -6,13 +6,13 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::{Equations, ImpactParameters, State};
-use crate::model::impact::modes::{Contact, HybridMode};
+use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
 use crate::model::impact::outcome::NEGLIGIBLE;
 use crate::model::impact::recorder::Recorder;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
-    Outcome, Run, RunWarning,
+    Outcome, Run, RunWarning, Sample,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -417,6 +417,40 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     };
     run.warnings = course.warnings(&run);
     run
+}
+
+/// Returns the row of a state.
+pub(super) fn sample(equations: &Equations<'_>, state: &State) -> Sample {
+    let Equations { setup, mode } = equations;
+    let contact_n = match mode.contact {
+        Contact::Fused => equations.interface_force_n(state),
+        _ => equations.contact_n(state),
+    };
+    let (x_m, w_m_s) = match mode.hold {
+        PlateConstraint::Spring => equations.quasi_static_state(state),
+        _ => (equations.displacement_m(state.x_m), state.w_m_s),
+    };
+    let spring_n = mode.spring.force(x_m);
+    Sample {
+        t_s: state.t_s,
+        mode: mode.contact,
+        penetration_m: match setup.law {
+            ContactLaw::AtOnce => f64::NAN,
+            _ => setup.geometry.depth_m(state.q_m),
+        },
+        projectile_displacement_m: state.q_m + (x_m - setup.start_m) * setup.cos,
+        projectile_velocity_m_s: setup.projectile_m_s(state),
+        plate_displacement_m: x_m,
+        plate_velocity_m_s: w_m_s,
+        contact_force_n: contact_n,
+        spring_force_n: spring_n,
+        damper_force_n: equations.damper_n(w_m_s),
+        stop_force_n: match mode.hold {
+            PlateConstraint::OnStop => contact_n * setup.cos - spring_n,
+            _ if mode.is_pressed => equations.stop_n(state.x_m, w_m_s),
+            _ => 0.0,
+        },
+    }
 }
 
 #[cfg(test)]
