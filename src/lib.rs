@@ -5,6 +5,11 @@
 //!
 //! A module imports only modules to its right: `cli -> tui -> worker -> files -> report -> study -> model -> numerics`. A test checks it.
 
+#[cfg(not(unix))]
+compile_error!(
+    "cmra runs on Unix only (Linux, macOS); on Windows, build it in the Windows Subsystem for Linux"
+);
+
 pub mod cli;
 pub mod files;
 // Public only for the integration tests.
