@@ -178,7 +178,7 @@ mod tests {
         acceleration action also analysis assembly back buckling bundled cancels cantilever change chart charts close cmra \
         coeffic comparing compatibility computed contact controlled curve curves dissipation distance distribution \
         does done ease emergent enlarge enter every expo export figure file final find finite first flight flow force \
-        four-bar fourth free from greatest heavy-plate helical impact induction inertia input keys line lists load loaded \
+        four-bar fourth free from greatest heavy-plate helical impact induction inertia input keys last line lists load loaded \
         manufacture many mass meaning measuring method methods mine minimization more move name near next none nothing oasl \
         order other over overwrite page pane plate play points position presets projectile quit quits rate reduction rejection \
         relative removes reset result results resume ricochet rigid-mount rotating running same save scenes scroll second \

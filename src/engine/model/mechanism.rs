@@ -156,7 +156,7 @@ impl Mechanism {
         self.spring.is_analytic() && self.damper.is_smooth_at_zero()
     }
 
-    /// The elastic stop, if there is one.
+    /// Returns the elastic stop, if there is one.
     pub fn elastic_stop(&self) -> Option<Stop> {
         self.stop.filter(|stop| stop.kind == StopKind::Elastic)
     }

@@ -1,7 +1,6 @@
 //! Results of a run: time series, events, outcome, energy balance, cost and warnings; plain data in SI units.
 //!
-//! A quantity that does not exist for a scene is `None`, never zero. A run that ends early has partial results and the reason in
-//! [`Run::end`]. The caller measures the run time.
+//! A quantity that does not exist for a scene is `None`, never zero. A run that ends early has partial results, and a reason [`Run::end`].
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -424,8 +423,7 @@ impl Run {
         (self.outcome != Outcome::Perforated).then_some(percent)
     }
 
-    /// Returns the outcome of the shot by the criterion of the scene; for a stack that in the last plate struck. A nose that protrudes from
-    /// a plate before the last does not count as a perforation.
+    /// Returns the outcome of the shot by the criterion of the scene; for a stack that in the last plate struck.
     pub fn shot_outcome(&self) -> Outcome {
         let outcome = self.stack.as_ref().map_or(self.outcome, |stack| stack.outcome);
         let is_in_base = self.stack.as_ref().is_none_or(|stack| {

@@ -100,7 +100,7 @@ pub fn add_plastic(run: &mut Run, observer: Observer<'_>) {
     }
 }
 
-/// A run without series and estimate, for tests.
+/// Runs a scene without time series and error estimate, for tests.
 #[cfg(test)]
 pub(in crate::model) fn bare_run(scene: &Scene) -> Run {
     let go_on = &mut |_: &RunSnapshot<'_>| std::ops::ControlFlow::Continue(());

@@ -221,7 +221,7 @@ impl ImpactParameters {
         self.length_m / self.velocity_m_s
     }
 
-    /// Whether the plate begins at rest, without force, where one of its laws is infinitely steep.
+    /// Returns `true` if the plate starts at rest at a singular zero of its spring or damper.
     pub(super) fn starts_steep(&self) -> bool {
         let is_at_zero = !self.still
             && (self.start_m, self.start_m_s) == (0.0, 0.0)

@@ -22,7 +22,7 @@ const TIGHTER_AT_ZEROS: f64 = 1e-1;
 /// Least tolerance of its steps: below it there is only rounding.
 const LEAST_JUDGING: f64 = 1e-14;
 
-/// A method that the loop can step by.
+/// Integration method of the loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IntegrationMethod {
     /// Radau IIA with a tolerance, the method of the engine: seven stages if the laws of the mechanism are analytic, else nine. Seven
@@ -30,8 +30,8 @@ pub enum IntegrationMethod {
     Collocation(f64),
     /// Collocation; the plate is integrated to its turning point even if its energy gives the maximum displacement.
     CollocationInFull(f64),
-    /// Collocation with two more stages, for the error estimate of one to this tolerance; its own is tighter. Events force both computations to
-    /// the same steps, on which a member with equally many stages would have the same errors.
+    /// Collocation with two more stages, for the error estimate of one to this tolerance; its own is tighter. Events force both
+    /// computations to the same steps, on which a member with equally many stages would have the same errors.
     Second(f64),
     /// Radau IIA with three stages (order five) and a tolerance.
     Radau5(f64),

@@ -33,7 +33,8 @@ const SMALL_LAG: f64 = 0.1;
 const DIFFERENCE: f64 = 1e-3;
 /// Part of the lengths and velocities of these rules with which a computation judges another.
 const JUDGING: f64 = 1e-2;
-/// Part of the way to the zero of a law that is not smooth there that a step goes.
+/// Step size towards a singular zero, relative to the time until the plate reaches it. The step then ends at about its own length from the
+/// zero, where polynomials are accurate.
 const SINGULARITY_STEP_FRACTION: f64 = 0.55;
 
 impl ImpactParameters {
@@ -42,8 +43,8 @@ impl ImpactParameters {
         self.rule_part() * HELD * self.length_m
     }
 
-    /// Part of its value that each length, time and velocity has below which a plate at a zero is treated by a rule: less in a computation that
-    /// judges another, so that their difference shows what the rule leaves out.
+    /// Part of its value that each length, time and velocity has below which a plate at a zero is treated by a rule: less in a computation
+    /// that judges another, so that their difference shows what the rule leaves out.
     pub(super) fn rule_part(&self) -> f64 {
         if matches!(self.stepping, IntegrationMethod::Second(_)) { JUDGING } else { 1.0 }
     }

@@ -120,8 +120,8 @@ impl Recorder {
         self.draw(equations, path);
     }
 
-    /// Notes the displacements on a step. A free plate turns at an event; one that a spring holds is where the forces balance, and farthest where
-    /// the contact's force is greatest.
+    /// Notes the displacements on a step. A free plate turns at an event; one that a spring holds is where the forces balance, and farthest
+    /// where the contact's force is greatest.
     fn note_displacements(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         if equations.mode.hold == PlateConstraint::Spring {
             let greatest_m =
@@ -131,7 +131,7 @@ impl Recorder {
         }
         for state in &path.looks {
             let x_m = equations.displacement_m(state.x_m);
-            // The step that ends at a rigid stop may end a rounding beyond it.
+            // A step that ends at a rigid stop can exceed it by a rounding error.
             self.note_displacement(smaller(x_m, equations.setup.rigid_stop_m()), state.t_s);
         }
     }
