@@ -180,7 +180,7 @@ impl ComparisonReport {
     /// Warns of an undecided mass efficiency, or of limits that measurements contradict; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
         let own = self.entry(Candidate::Scene).and_then(|own| own.sized.as_ref().err());
-        own.filter(|absence| absence.is_open()).map(|absence| absence.words()).or_else(|| {
+        own.filter(|absence| absence.is_open()).map(Absence::words).or_else(|| {
             self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.run.scene))
         })
     }

@@ -117,7 +117,7 @@ pub fn face_ratio(scene: &Scene) -> Option<f64> {
 
 /// The breaches that follow from a scene, in the order of the table.
 pub fn of_scene(scene: &Scene) -> Vec<Breach> {
-    let mut found: Vec<Breach> = thickness(scene).into_iter().collect();
+    let mut found: Vec<Breach> = thickness(scene).into_iter().chain(velocity(scene)).collect();
     let mut add = |check, direction, degree, value: String, meaning: &str| {
         found.push(Breach { check, direction, degree, value, meaning: meaning.to_owned() });
     };
@@ -164,17 +164,6 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
         );
         add(Check::Face, Unconservative, 1.0 / face, value, &meaning);
     }
-    let (v, (slow, fast)) = (scene.closing_velocity_m_s(), VELOCITIES_M_S);
-    let symbol = if scene.plate_velocity_m_s() == 0.0 { "v_i" } else { "v_i - w_0 cos(theta)" };
-    let shown = format!("{symbol} = {} m/s is", significant(v, 4));
-    if v < slow {
-        let value = format!("{shown} below the {slow} m/s of measurements");
-        add(Check::Velocity, Unknown, -slow / v, value, "");
-    } else if v > fast {
-        let value = format!("{shown} above {fast} m/s");
-        let meaning = ": heating, rate and erosion are not modelled";
-        add(Check::Velocity, Unknown, v / fast, value, meaning);
-    }
     if theta > 0.0 {
         let ricochet = ricochet(scene).map_or_else(String::new, |text| format!("; {text}"));
         let (direction, error) = if nose.shears() {
@@ -190,7 +179,25 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
         let meaning = ": nothing after it is hit is to be believed; set interface=plastic";
         add(Check::Stop, Unconservative, 1.0, value, meaning);
     }
+    found.sort_by_key(|breach| breach.check);
     found
+}
+
+/// Returns the breach of the range of measured velocities.
+fn velocity(scene: &Scene) -> Option<Breach> {
+    let (v, (slow, fast)) = (scene.closing_velocity_m_s(), VELOCITIES_M_S);
+    let symbol = if scene.plate_velocity_m_s() == 0.0 { "v_i" } else { "v_i - w_0 cos(theta)" };
+    let shown = format!("{symbol} = {} m/s is", significant(v, 4));
+    let (degree, value, meaning) = if v < slow {
+        (-slow / v, format!("{shown} below the {slow} m/s of measurements"), "")
+    } else if v > fast {
+        let meaning = ": heating, rate and erosion are not modelled";
+        (v / fast, format!("{shown} above {fast} m/s"), meaning)
+    } else {
+        return None;
+    };
+    let meaning = meaning.to_owned();
+    Some(Breach { check: Check::Velocity, direction: Unknown, degree, value, meaning })
 }
 
 /// Whether the law in effect is measured with the nose, which is no hemisphere, however much it deforms.

@@ -27,6 +27,7 @@ impl Warning {
     }
 
     /// Adds the place where the warning holds.
+    #[must_use]
     pub fn at(self, place: impl Into<String>) -> Self {
         let place = place.into();
         let place = self.place.map_or_else(|| place.clone(), |own| format!("{place}: {own}"));
@@ -149,32 +150,59 @@ fn no_hardening(tensile_pa: Option<f64>, yield_pa: f64) -> String {
     )
 }
 
+/// Load of the interface in tension, in words.
+fn tension(ratio: f64) -> String {
+    times(ratio, "g A S_y", "has no grip (g = 0) to hold it")
+}
+
+fn pushes(ratio: f64, t_s: f64) -> (String, String) {
+    let meaning = format!(
+        "; first at t = {:.4} ms, penetration would resume: try interface = plastic",
+        t_s * 1e3
+    );
+    (format!("interface push {}", times(ratio, "A S_y", "is unbounded")), meaning)
+}
+
+fn pulls(ratio: f64, t_s: f64) -> (String, String) {
+    let meaning = format!(
+        "; first at t = {:.4} ms, the projectile would be pulled out (the grip g is an assumption): try interface = plastic",
+        t_s * 1e3
+    );
+    (format!("interface pull {}", tension(ratio)), meaning)
+}
+
+fn rebounds(ratio: f64) -> (String, String) {
+    let meaning = "; after this run the plate comes back and the projectile may come loose and strike again (the grip g is an \
+                   assumption): try interface = plastic";
+    (format!("rebound pull {}", tension(ratio)), meaning.to_owned())
+}
+
+fn horizon_not_reached(reason: EndReason, t_s: f64, horizon_s: f64) -> (String, String) {
+    let t = engineering(t_s, "s", 4);
+    (
+        format!("the horizon of {} was not reached", engineering(horizon_s, "s", 4)),
+        format!(": the run stopped at t = {t} ({})", reason.words()),
+    )
+}
+
+fn meets_next(plate: usize, travel_m: f64, gap_m: f64) -> (String, String) {
+    let value = format!(
+        "plate {} travels {} m, farther than the gap of {} m behind it",
+        plate + 1,
+        significant(travel_m, 4),
+        significant(gap_m, 4)
+    );
+    (value, ": plates that meet are not in the model".to_owned())
+}
+
 impl RunWarning {
     /// Value and meaning of the sentence, the meaning from its punctuation mark on.
     pub(super) fn sentence(&self) -> (String, String) {
-        let pull = |ratio| times(ratio, "g A S_y", "has no grip (g = 0) to hold it");
         let owned = |(value, meaning): (&str, &str)| (value.to_owned(), meaning.to_owned());
         match *self {
-            Self::InterfacePush { ratio, t_s } => (
-                format!("interface push {}", times(ratio, "A S_y", "is unbounded")),
-                format!(
-                    "; first at t = {:.4} ms, penetration would resume: try interface = plastic",
-                    t_s * 1e3
-                ),
-            ),
-            Self::InterfacePull { ratio, t_s } => (
-                format!("interface pull {}", pull(ratio)),
-                format!(
-                    "; first at t = {:.4} ms, the projectile would be pulled out (the grip g is an assumption): try interface = plastic",
-                    t_s * 1e3
-                ),
-            ),
-            Self::InterfaceRebound { ratio } => (
-                format!("rebound pull {}", pull(ratio)),
-                "; after this run the plate comes back and the projectile may come loose and strike again (the grip g is an \
-                 assumption): try interface = plastic"
-                    .to_owned(),
-            ),
+            Self::InterfacePush { ratio, t_s } => pushes(ratio, t_s),
+            Self::InterfacePull { ratio, t_s } => pulls(ratio, t_s),
+            Self::InterfaceRebound { ratio } => rebounds(ratio),
             Self::InterfaceWithoutStrength => owned((
                 "the interface has no strength (S_y = 0)",
                 ": no demand ratio exists",
@@ -193,14 +221,9 @@ impl RunWarning {
             )),
             Self::EndedEarly(reason) => owned((reason.words(), "")),
             Self::StillMoving { outcome, at_least } => still_moving(outcome, at_least),
-            Self::HorizonNotReached { reason, t_s, horizon_s } => (
-                format!("the horizon of {} was not reached", engineering(horizon_s, "s", 4)),
-                format!(
-                    ": the run stopped at t = {} ({})",
-                    engineering(t_s, "s", 4),
-                    reason.words()
-                ),
-            ),
+            Self::HorizonNotReached { reason, t_s, horizon_s } => {
+                horizon_not_reached(reason, t_s, horizon_s)
+            }
             Self::Overruns { t_s, duration_s } => (
                 format!(
                     "equal velocities at {:.4} us, before t_d = {:.4} us",
@@ -210,15 +233,7 @@ impl RunWarning {
                 ": the half-sine history is that of a fixed plate, and the force goes on to t_d".to_owned(),
             ),
             Self::NotModelled(what) => owned(what.sentence()),
-            Self::PlateMeetsNext { plate, travel_m, gap_m } => (
-                format!(
-                    "plate {} travels {} m, farther than the gap of {} m behind it",
-                    plate + 1,
-                    significant(travel_m, 4),
-                    significant(gap_m, 4)
-                ),
-                ": plates that meet are not in the model".to_owned(),
-            ),
+            Self::PlateMeetsNext { plate, travel_m, gap_m } => meets_next(plate, travel_m, gap_m),
             Self::Limit(Limit { required_m, limit_m, what }) => (
                 format!(
                     "spring is displaced by {} m, beyond {} m",
