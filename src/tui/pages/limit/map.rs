@@ -184,6 +184,10 @@ fn slices(map: &EfficiencyMap, (x, y): (usize, usize), area: Rect, canvas: &mut 
             break;
         }
     }
+    if charts.is_empty() {
+        let inner = PaneFrame::new("Slices through the cursor").draw(area, canvas);
+        return canvas.put_centred(inner, "too few points yet");
+    }
     let areas: Vec<Rect> = charts.iter().map(|it| it.1).collect();
     let mut charts: Vec<Chart<'_>> = charts.into_iter().map(|it| it.0).collect();
     align_gutters(&mut charts, &areas);
