@@ -183,7 +183,7 @@ mod tests {
         order other over overwrite page pane plate play points position presets projectile quit quits rate reduction rejection \
         relative removes reset result results resume ricochet rigid-mount rotating running same save scenes scroll second \
         sectional shift-tab show shown shows shuttle side simulation small space spacing speed start strain strengt stress \
-        target thesis-base thesis-baseline time transfer tube type undo unit value values variable variables vary wanted wire \
+        target thesis-base thesis-baseline time times transfer tube type undo unit value values variable variables vary wanted wire \
         with would write your zoom";
 
     /// Functions whose string arguments are shown as labels, with the index of the label among them, and fields of labels.
