@@ -457,4 +457,8 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
         &["solid", "solid plate"],
         "a plate of the same material without a mechanism, to which mass efficiency refers",
     ),
+    (
+        &["slices", "slices through the cursor"],
+        "curves along both axes of a map, through the crosshair",
+    ),
 ];
