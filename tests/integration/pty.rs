@@ -75,6 +75,8 @@ pub(crate) struct Terminal {
     process: Pid,
     /// All bytes drawn so far.
     drawn: Vec<u8>,
+    /// Whether no frame is under way: what is half drawn is not looked at.
+    is_whole: bool,
     /// Whether the terminal answers the question whether all has arrived.
     pub(crate) answers: bool,
     alternate: bool,
@@ -128,6 +130,7 @@ impl Terminal {
             job: None,
             process,
             drawn: Vec::new(),
+            is_whole: true,
             answers: true,
             modes_before,
             home: Some(home),
@@ -154,7 +157,7 @@ impl Terminal {
     ) -> String {
         let deadline = Instant::now() + HANG;
         loop {
-            if wanted(self.parser.screen()) {
+            if self.is_whole && wanted(self.parser.screen()) {
                 return self.parser.screen().contents();
             }
             let left = deadline.saturating_duration_since(Instant::now());
@@ -223,6 +226,11 @@ impl Terminal {
     fn take(&mut self, bytes: &[u8]) {
         let before = self.drawn.len();
         self.drawn.extend_from_slice(bytes);
+        // A mark may have come in two pieces.
+        let news = &self.drawn[before.saturating_sub(FRAME.len() - 1)..];
+        let last = |mark: &[u8]| news.windows(mark.len()).rposition(|found| found == mark);
+        let (begins, ends) = (last(FRAME), last(FRAME_END));
+        self.is_whole = if begins == ends { self.is_whole } else { ends > begins };
         if self.alternate {
             self.parser.process(bytes);
         } else {
