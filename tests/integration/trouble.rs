@@ -124,9 +124,12 @@ fn an_export_to_the_terminal_device_is_refused() {
 fn a_table_whose_name_is_taken_goes_by_another_one() {
     let mut terminal = started(Start::default());
     fs::write(terminal.file("taken.csv"), "mine").unwrap();
-    // The Limit tab has a table of shots.
+    // The Limit tab has a map, which takes a name when it is whole.
     terminal.send("3r");
-    terminal.wait_for("v_bl");
+    terminal.wait_until("the whole map", |screen| {
+        let shown = screen.contents();
+        shown.contains("v_bl") && !["mapping: ", "first look"].iter().any(|it| shown.contains(it))
+    });
     terminal.send("e\x15taken.csv\r");
     terminal.wait_for("o overwrite");
     terminal.send("\x1b");
