@@ -306,9 +306,10 @@ mod tests {
             }
         }
         assert!(unknown.is_empty(), "{unknown:#?}");
-        for name in known {
-            assert!(pages(&name).is_ok(), "{name}");
-        }
+        // A title in capitals is looked up as it is typed: in small letters.
+        let has_page = |name: &String| pages(name).is_ok() || pages(&name.to_lowercase()).is_ok();
+        known.retain(|name| !has_page(name));
+        assert!(known.is_empty(), "no page: {known:?}");
     }
 
     /// Signs, short words and choices, which the labels above leave out, and words that texts beside them have.

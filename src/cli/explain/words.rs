@@ -15,7 +15,7 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
         &["displacement", "plate displacement"],
         "distance of the plate from the neutral position of its spring, positive away from the shot",
     ),
-    (&["penetration"], "depth of the projectile in the plate (final_penetration_m)"),
+    (&["penetration", "final depth"], "depth of the projectile in the plate (final_penetration_m)"),
     (
         &["depth", "deep"],
         "final penetration into the plate, the hole that dishing leaves included (final_penetration_m)",
