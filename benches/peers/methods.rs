@@ -58,7 +58,7 @@ pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
 
 /// Whether the error at a tolerance is at most the tolerance; `None` for methods of fixed steps and tolerances that were not run.
 fn tolerance_is_kept(report: &MethodReport, tolerance: f64) -> Option<bool> {
-    let at = |it: &Parameter| matches!(it, Parameter::Tolerance(value) if *value == tolerance);
+    let at = |it: &Parameter| matches!(it, Parameter::Tolerance(value) if (value / tolerance - 1.0).abs() < 1e-9);
     report
         .points
         .iter()

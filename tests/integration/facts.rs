@@ -82,7 +82,9 @@ fn defaults_in_help_are_those_of_the_requests() {
         assert!(!printed.is_empty(), "{command}");
         for text in printed {
             let at = known.iter().position(|it| *it == text);
-            at.into_iter().for_each(|at| seen[at] = true);
+            if let Some(at) = at {
+                seen[at] = true;
+            }
             assert!(at.is_some() || words.contains(&&*text), "{command}: [default: {text}]");
         }
     }

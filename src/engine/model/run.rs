@@ -40,15 +40,20 @@ impl Settings {
 
     /// Work after which a run to a tolerance ends undecided.
     pub(in crate::model) fn most_work(&self, tolerance: f64) -> usize {
-        let more = DIGIT_WORK.powf((RunSettings::default().tolerance / tolerance).log10());
-        self.work_max.unwrap_or_else(|| (WORK_MAX as f64 * larger(more, 1.0)) as usize)
+        self.work_max.unwrap_or_else(|| {
+            let (mut most, mut reached) = (WORK_MAX, RunSettings::default().tolerance);
+            // Half as much again for each digit: shorter steps, and more of what happens is resolved.
+            while reached > tolerance && most < usize::MAX / 2 {
+                most += most / 2;
+                reached *= 0.1;
+            }
+            most
+        })
     }
 }
 
 /// Work after which a run ends undecided at the default tolerance, as [`Cost::work`] counts it: about 0.1 s, at 0.05 us each.
 pub const WORK_MAX: usize = 2_200_000;
-/// Factor on this for each digit by which a tolerance is tighter: shorter steps, and more of what happens is resolved.
-const DIGIT_WORK: f64 = 1.5;
 /// Work of a step, a turn or a change of the contact beside its evaluations: states on the step, events, forces and work on it take about
 /// as long as so many evaluations.
 const STEP_WORK: usize = 60;

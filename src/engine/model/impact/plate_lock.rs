@@ -13,7 +13,7 @@ use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::PlateConstraint;
 use crate::numerics::{larger, smaller};
 
-/// Duration of the first moment, relative to the shortest time scale of the contact: R / v_i, or that of its stiffness or damping. Within
+/// Duration of the first moment, relative to the shortest time scale of the contact: `R / v_i`, or that of its stiffness or damping. Within
 /// it the contact force is constant or proportional to time; the relative error of the velocities is about the square of this value.
 const FIRST_MOMENT: f64 = 1e-6;
 /// Minimum ratio of the displacement with inertia alone to the quasi-static displacement, for a plate to count as quasi-static. Inertia
@@ -297,7 +297,7 @@ mod tests {
         assert_eq!(look("gamma=1 k=1e5 n=0.3", Contact::Penetrating, [0.0; 4], held), None);
     }
 
-    /// k x^n = F - m_2 x'', where F slows the projectile: the velocity is the way's, and inertia takes some 2e-5 of F.
+    /// `k x^n = F - m_2 x''`, where F slows the projectile: the velocity is the way's, and inertia takes some 2e-5 of F.
     #[test]
     fn valid_a_plate_that_is_let_go_is_where_its_spring_balances_the_contact() {
         let found = |it: &Equations<'_>, at: &State| (it.contact_n(at), it.quasi_static_state(at));

@@ -18,7 +18,7 @@ use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::step::{StagePredictor, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
-/// Size of the first step, relative to R / v_i.
+/// Size of the first step, relative to `R / v_i`.
 const FIRST_STEP: f64 = 0.5;
 /// Step-size factor if an event can precede the first sampling point, which is at this fraction of the step.
 const UNRESOLVED_EVENT_CUT: f64 = 1.0 / 16.0;
@@ -29,7 +29,7 @@ const NEAR_END: f64 = 1e-5;
 const LANDINGS_MAX: usize = 6;
 /// Maximum number of secant iterations for the step size that ends at an event; the order of convergence is 1.6.
 const SECANTS: usize = 8;
-/// Minimum step size, relative to R / v_i; smaller steps do not change t.
+/// Minimum step size, relative to `R / v_i`; smaller steps do not change t.
 const MIN_STEP_FRACTION: f64 = 1e-15;
 /// Tolerance of an event function for a second event at the same time, relative to its scale: rounding can put the state beyond it.
 const SIMULTANEOUS_EVENT_TOLERANCE: f64 = 1e-9;

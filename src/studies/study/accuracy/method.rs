@@ -16,7 +16,7 @@ use cmra_engine::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
 use cmra_engine::model::scene::{InterfaceLaw, Listing, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 
-crate::enumeration! {
+enumeration! {
     /// Result that methods are compared by.
     pub enum Compared in ComparedRow {
         /// Key of its error in files.
