@@ -59,7 +59,7 @@ fn texts(error: &Error, kind: ContextKind) -> Vec<&str> {
     }
 }
 
-/// What is wrong, by the kind of the error.
+/// Returns the description of a command-line error, by its kind.
 fn problem(error: &Error) -> String {
     let (argument, value) =
         (text(error, ContextKind::InvalidArg), text(error, ContextKind::InvalidValue));
@@ -133,7 +133,7 @@ fn values(error: &Error) -> impl Iterator<Item = String> {
     })
 }
 
-/// What may have been meant.
+/// Returns the suggestions for a mistyped command, argument or value.
 fn tips(error: &Error) -> Vec<String> {
     let kinds = [
         ("subcommand", ContextKind::SuggestedSubcommand),

@@ -57,9 +57,9 @@ fn local_tolerance(scene: &Scene) -> f64 {
     larger(STEP_TOLERANCE_FACTOR * scene.run.tolerance, MIN_STEP_TOLERANCE)
 }
 
-/// The run with the estimates of its errors, from closed forms or a second computation by another member of the family of methods.
+/// Runs a scene and estimates the errors of the run, from closed forms or a second computation by another member of the family of methods.
 ///
-/// Both take at most this much work together. If it does not suffice, the errors are unknown.
+/// The two computations share the evaluation budget `work_max`. If it is exhausted, the errors are unknown.
 fn with_estimate(mut run: Run, work_max: usize, observer: Observer<'_>) -> Run {
     let scene = Arc::clone(&run.scene);
     let exact = closed_form::results(&scene).map(|exact| (exact, EstimateBasis::ClosedForm));

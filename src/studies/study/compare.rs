@@ -1,22 +1,24 @@
-//! Comparison at equal areal mass: does moving armour pay?
+//! Comparison at equal areal mass: tests whether moving armour pays.
 //!
 //! The comparison has a single design velocity: the impact velocity v of the scene.
 //!
-//! - Areal mass: the plate is a block of its material, so its face is `m_2`/(rho h). Plate and spring together are divided by that
-//!   face: rho h (1 + spring/`m_2`). A damper, a stop and the mount are not counted.
-//! - Spring: the one that the scene has. Where its mass is not known it weighs the greatest energy that it stores under the shot at v,
-//!   over its energy per mass; where that shot perforates, under the fastest shot that is stopped.
-//! - Limit if the spring must survive: the least impact velocity at which the plate is perforated or the hardware fails: the spring
-//!   would have to store more than its known mass can, or leaves the range of its law (a beam yields, a table ends). A spring whose mass is not known holds whatever it stores, unless it is to be sized: then it has just the
-//!   mass that the shot at v needs, and holds no faster one.
-//! - Mass efficiency: areal mass of the thinnest solid plate on a rigid mount that stops the shot at v, over the areal mass of
-//!   the thinnest armour of the scene's kind that does. That armour has the scene's mass ratio and mechanism, and a thickness of its
-//!   own. A plate thicker than the shot needs gains nothing and loses nothing here. The mechanism pays where this is above 1.
+//! - Areal mass: total mass of plate and spring over the face of the plate, rho h (1 + spring/`m_2`). The plate is a block of its
+//!   material, so its face is `m_2`/(rho h). Damper, stop and mount are not counted.
+//! - Spring: that of the scene. If its mass is unknown, the mass is the maximum energy stored under the shot at v over the energy per
+//!   mass. If that shot perforates, the fastest stopped shot is used.
+//! - Limit if the spring must survive: the smallest impact velocity at which the plate is perforated or the hardware fails. A spring fails
+//!   if its stored energy exceeds the capacity of its given mass, or if it leaves the range of its law (a beam yields, a table ends). A
+//!   spring of unknown mass has no energy limit, unless it is sized: then its capacity is the energy of the shot at v.
+//! - Mass efficiency: areal mass of the thinnest solid plate on a rigid mount that stops the shot at v, over that of the thinnest armour
+//!   of the scene's kind that does. That armour has the scene's mass ratio and mechanism, but its own thickness; excess thickness of the
+//!   scene's plate has no effect. The mechanism pays if the mass efficiency exceeds 1.
 //!
-//! Closed form: without dishing a passage takes the volume pi R² h, and a limit velocity depends on volume over reduced mass alone. A
-//! free plate therefore needs gamma/(1 + gamma) of the solid plate's thickness. A soft spring then stores the energy of the common
-//! motion, `m_p` v²/(2 (1 + gamma)), and with e J/kg the mass efficiency is (1 + 1/gamma)/(1 + v²/(2 gamma (1 + gamma) e)): above 1
-//! if and only if e > v²/(2 (1 + gamma)). Must not know files, threads, screens or a clock.
+//! Closed form: without dishing a perforation takes the volume pi R² h, and the limit velocity depends only on volume over reduced mass. A
+//! free plate therefore needs gamma/(1 + gamma) of the solid plate's thickness. A soft spring then stores the energy of the common motion,
+//! `m_p` v²/(2 (1 + gamma)). With an energy per mass e, J/kg, the mass efficiency is (1 + 1/gamma)/(1 + v²/(2 gamma (1 + gamma) e)): above
+//! 1 if and only if e > v²/(2 (1 + gamma)).
+//!
+//! Does not depend on files, threads, the terminal or a clock.
 
 use std::fmt;
 use std::sync::Arc;
@@ -43,90 +45,90 @@ pub use sizing::{Absence, SizedArmour, THINNEST_M, WIDTH, mass_efficiency};
 use candidate::CandidateEvaluator;
 
 enumeration! {
-    /// Who is compared.
+    /// Armour candidates of the comparison.
     pub enum Candidate in CandidateRow {
-        /// The word in files and on screens.
+        /// Keyword in files and on screens.
         word: &'static str,
     }
-    /// The scene as it is.
+    /// The scene unchanged.
     Scene { word: "scene" }
-    /// Plates on a rigid mount.
+    /// The scene's plates on a rigid mount.
     Rigid { word: "rigid mount" }
-    /// Plates without spring, damper, stop and cocking.
+    /// The scene's plates without spring, damper, stop and cocking.
     Free { word: "free plate" }
-    /// A solid plate of the scene's areal mass, held rigidly.
+    /// A solid plate of the scene's areal mass on a rigid mount.
     Solid { word: "solid plate" }
 }
 
-/// The figures of one candidate; `None` where a figure does not exist.
+/// Results for one candidate; `None` if a quantity does not exist.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
     /// Candidate of the entry.
     pub candidate: Candidate,
-    /// The shot at the design velocity.
+    /// Shot at the design velocity.
     pub run: Run,
-    /// The plate is stopped by something: a mount, a spring, a damper or a stop.
+    /// Whether a mount, spring, damper or stop stops the plate.
     pub is_held: bool,
-    /// Everything of it over the plate's face, kg/m²; `None` where the spring's mass is not known.
+    /// Total counted mass over the face of the plate, kg/m²; `None` if the spring's mass is unknown.
     pub areal_kg_m2: Option<f64>,
-    /// The mass of the springs, kg.
+    /// Mass of the springs, kg.
     pub spring_kg: Option<f64>,
-    /// The limit of the plate alone: perforation.
+    /// Ballistic limit of the plate alone.
     pub perforation: Limit,
-    /// The limit if the spring must survive, m/s.
+    /// Limit velocity if the spring must survive, m/s.
     pub limit_m_s: Option<f64>,
-    /// The failure at that velocity; `None`: the plate is perforated.
+    /// Hardware failure at that velocity; `None` if the plate is perforated first.
     pub failure: Option<Failure>,
-    /// The thinnest armour of this kind that stops the shot.
+    /// Thinnest armour of this kind that stops the shot.
     pub sized: Result<SizedArmour, Absence>,
-    /// A shot just below the limit velocity, where there is one.
+    /// Shot just below the limit velocity; `None` without a limit.
     pub at_limit: Option<Run>,
-    /// The verdict on the shot at the design velocity.
+    /// Verdict on the shot at the design velocity.
     pub shot: ShotVerdict,
 }
 
 impl Entry {
-    /// Mass efficiency at the design velocity.
+    /// Returns the mass efficiency at the design velocity.
     pub fn mass_efficiency(&self) -> Option<f64> {
         self.sized.as_ref().ok().map(SizedArmour::mass_efficiency)
     }
 
-    /// Depth of the hole, m; `None` when perforated.
+    /// Returns the depth of the hole, m; `None` if perforated.
     pub fn depth_m(&self) -> Option<f64> {
         let stays = matches!(self.run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
         self.run.final_penetration_m.filter(|_| stays)
     }
 
-    /// Whether nothing in the range of velocities looked at goes through, and nothing fails.
+    /// Returns `true` if no velocity of the search range perforates the plate or makes the hardware fail.
     pub fn is_beyond(&self) -> bool {
         self.limit_m_s.is_none() && self.perforation == Limit::Never
     }
 
-    /// Why there is no limit velocity; `None` where there is one.
+    /// Explains why there is no limit velocity; `None` if there is one.
     pub fn no_limit(&self) -> Option<String> {
         if self.limit_m_s.is_some() { None } else { self.perforation.absence() }
     }
 }
 
-/// Whether an armour of this mass efficiency weighs what the solid plate does: a mechanism that does not move has no other.
+/// Returns `true` if a mass efficiency is 1 within the accuracy of the limits; always so for a mechanism that does not move.
 pub fn is_equal(mass_efficiency: f64) -> bool {
-    // A mechanism that does not move has no other, to the accuracy of the limits.
+    // Tolerance: the accuracy of the limit velocities.
     (mass_efficiency - 1.0).abs() <= 1e-4
 }
 
-/// Whether the mechanism pays.
+/// Verdict on the mechanism: whether it pays.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Stops the shot, with this mass efficiency.
+    /// The armour stops the shot, with this mass efficiency.
     Stops(f64),
-    /// Does not stop the shot, for this reason.
+    /// The armour does not stop the shot, for this reason.
     NotMet(String),
-    /// Unknown: the run is undecided, or a figure is missing.
+    /// Unknown: the run is undecided, or a quantity is missing.
     Unknown,
 }
 
 impl Verdict {
-    /// In words, for a page.
+    /// Returns the verdict as a text for a page.
     pub fn message(&self) -> String {
         match self {
             Self::Stops(efficiency) if is_equal(*efficiency) => {
@@ -139,7 +141,7 @@ impl Verdict {
         }
     }
 
-    /// Whether it pays; `None` where that is not known.
+    /// Returns `true` if the mechanism pays; `None` if unknown.
     pub fn pays(&self) -> Option<bool> {
         match self {
             Self::Stops(efficiency) => Some(*efficiency > 1.0 && !is_equal(*efficiency)),
@@ -149,30 +151,30 @@ impl Verdict {
     }
 }
 
-/// The comparison.
+/// Result of the comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparisonReport {
-    /// The scene; its impact velocity is the design velocity.
+    /// Compared scene; its impact velocity is the design velocity.
     pub scene: Arc<Scene>,
-    /// Whose spring is judged.
+    /// Hardware for which the limits are computed.
     pub hardware: Hardware,
-    /// The first plate's face, m².
+    /// Face of the first plate, m².
     pub face_m2: f64,
-    /// The springs know their own mass.
+    /// Whether the mass of the springs is given.
     pub spring_is_own: bool,
-    /// The parts that take up energy and whose mass is not counted: a damper, a stop; empty: all mass is.
+    /// Energy-absorbing parts whose mass is not counted (damper, stop); empty if all mass is counted.
     pub uncounted: Vec<&'static str>,
-    /// The candidates, without those that cannot be made or were not reached.
+    /// Evaluated candidates; without those that are impossible or were cancelled.
     pub entries: Vec<Entry>,
 }
 
 impl ComparisonReport {
-    /// Returns the figures of a candidate.
+    /// Returns the results of a candidate.
     pub fn entry(&self, candidate: Candidate) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.candidate == candidate)
     }
 
-    /// First requirement of chapter 4: depth over that in a solid plate of equal mass.
+    /// Returns the first requirement of chapter 4: the depth divided by the depth in a solid plate of equal mass.
     pub fn depth_over_solid(&self) -> Option<f64> {
         Some(self.entry(Candidate::Scene)?.depth_m()? / self.entry(Candidate::Solid)?.depth_m()?)
     }
@@ -185,7 +187,7 @@ impl ComparisonReport {
         })
     }
 
-    /// Whether the mechanism pays.
+    /// Returns the verdict on the mechanism.
     pub fn verdict(&self) -> Verdict {
         let Some(own) = self.entry(Candidate::Scene) else { return Verdict::Unknown };
         let not_met = |why: &str| Verdict::NotMet(why.to_owned());
@@ -197,7 +199,7 @@ impl ComparisonReport {
             Outcome::Perforated => return not_met("the design shot perforates the plate as built"),
             Outcome::Unmeasured => return Verdict::Unknown,
             _ if !own.is_held => return not_met("nothing stops plate and projectile"),
-            // A run that still oscillates is decided by the limit.
+            // The limit decides a run that still oscillates.
             Outcome::Moving if own.perforation.velocity_m_s().is_none_or(is_below_design) => {
                 return Verdict::Unknown;
             }
@@ -213,12 +215,12 @@ impl ComparisonReport {
     }
 }
 
-/// The request; shown, it is the command that asks the same of a scene.
+/// Request for a comparison; `Display` writes the equivalent command.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Request {
-    /// Whose spring is judged.
+    /// Hardware for which the limits are computed.
     pub hardware: Hardware,
-    /// The axes of a map of the mass efficiency; `None`: the candidates of the scene alone.
+    /// Axes of a map of the mass efficiency; `None` to compare the candidates of the scene only.
     pub map: Option<[Axis; 2]>,
 }
 
@@ -233,7 +235,7 @@ impl fmt::Display for Request {
     }
 }
 
-/// Compare.
+/// Compares the candidates of a scene.
 pub fn compare(
     scene: &Arc<Scene>,
     hardware: Hardware,
@@ -250,7 +252,7 @@ pub fn compare(
         entries: Vec::new(),
     };
     context.expect(Candidate::ALL.len());
-    // The areal mass of the scene is that of the solid plate.
+    // The areal mass of the scene itself applies to the other candidates.
     let [own, others @ ..] = Candidate::ALL;
     for (candidates, hardware) in [(&[own][..], hardware), (&others[..], Hardware::default())] {
         let areal = report.entries.first().and_then(|entry: &Entry| entry.areal_kg_m2);
@@ -274,7 +276,7 @@ pub fn compare(
     Ok(report)
 }
 
-/// The parts of a scene that take up energy and whose mass is not counted.
+/// Returns the energy-absorbing parts of a scene whose mass is not counted.
 fn uncounted(scene: &Scene) -> Vec<&'static str> {
     if !scene.is_sprung() {
         return Vec::new();
@@ -284,12 +286,12 @@ fn uncounted(scene: &Scene) -> Vec<&'static str> {
     damper.into_iter().chain(mechanism.stop.is_some().then_some("stop")).collect()
 }
 
-/// The area of a plate, m²: its mass over rho h.
+/// Returns the face of a plate, m²: mass over rho h.
 pub fn face_m2(scene: &Scene) -> f64 {
     scene.plate_mass_kg() / (scene.target.density_kg_m3 * scene.target.thickness_m)
 }
 
-/// A candidate, given the areal mass of the scene itself; `None` where that would be needed and is not known.
+/// Builds a candidate from a scene of the given areal mass; `None` if the candidate needs an areal mass that is unknown.
 fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option<Scene> {
     let mut own = scene.clone();
     own.sweep = None;
@@ -306,7 +308,7 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
     variables::changed(own, nothing_behind).ok()
 }
 
-/// A spring whose mass is counted by the energy of the shot keeps the mass that the design shot gives it.
+/// Fixes the mass of a spring that is sized by energy to the mass for the design shot.
 fn hold_spring_mass(scene: &mut Scene) {
     let mass_kg = Inertia::from_scene(scene).spring_mass_kg;
     let spring = &mut scene.mechanism.spring;

@@ -1,7 +1,7 @@
-//! The ballistic limit: the least impact velocity that perforates, and the residual velocity above it.
+//! Ballistic limit: the smallest impact velocity that perforates, and the residual velocity above it.
 //!
-//! Closed form for a plate that is rigid or free; else a scan over the whole range of velocities, which also
-//! finds outcomes that recur, and bisection on the outcome. Must not know files, threads, screens or a clock.
+//! Uses the closed form for a rigid or free plate. Otherwise scans the whole velocity range and bisects on the outcome; the scan also finds
+//! faster shots that are stopped again. Does not depend on files, threads, the terminal or a clock.
 
 use std::sync::Arc;
 
@@ -23,54 +23,55 @@ pub(in crate::study) mod shot_outcome;
 pub use closures::{Closures, is_stopped_by_every_closure};
 pub use cmra_engine::model::closed_form::ballistic_limit_m_s as closed_form;
 
-/// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
+/// Range of impact velocities, m/s. No limit outside it is reported, by closed form or by outcome.
 pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);
-/// Distance from a limit, relative to it, of the two shots that describe it: below it the load of the mechanism, above it the residual
-/// velocity. Ten times the width to which the limit is found.
+/// Relative distance from a limit of the two shots that describe it: below it for the load of the mechanism, above it for the residual
+/// velocity. Ten times the relative width of the final bracket.
 pub(in crate::study) const BESIDE_LIMIT: f64 = 1e-9;
-/// Points of the scan over them, at equal ratios.
+/// Points of the velocity scan, geometrically spaced.
 const SCAN: usize = 41;
-/// Shots of the curve below and above the limit, and the range they cover, over the limit.
+/// Shots of the curve below and above the limit, and the range of the curve relative to the limit.
 const BELOW: usize = 6;
 const ABOVE: usize = 24;
 const CURVE: (f64, f64) = (0.5, 2.5);
 
 enumeration! {
-    /// How the limit is known.
+    /// Method by which the limit is computed.
     pub enum LimitMethod in BasisRow {
         /// A short text.
         words: &'static str,
     }
-    /// Closed form: only inertia, or a rigid mount, resists the shot.
+    /// Closed form: only inertia or a rigid mount resists the shot.
     ClosedForm { words: "closed form" }
     /// Bisection on the outcome of runs.
     Outcome { words: "bisection on the outcome" }
 }
 
-/// Whether there is a limit, and where.
+/// Limit velocity of a scene, or the reason why there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
     /// Known limit.
     Found {
-        /// The limit velocity, m/s.
+        /// Limit velocity, m/s.
         velocity_m_s: f64,
-        /// How it is known.
+        /// Method by which the limit is computed.
         basis: LimitMethod,
-        /// A faster shot that is stopped again, where there is one, m/s: there is no single limit then.
+        /// Velocity of a faster shot that is stopped again, m/s; `None` if all faster shots perforate. The limit is not unique if there is
+        /// one.
         stopped_at_m_s: Option<f64>,
-        /// A slower shot whose run ends undecided, where there is one, m/s: it is not known to perforate.
+        /// Velocity of a slower shot whose run ends undecided, m/s; `None` if all slower shots are decided.
         undecided_at_m_s: Option<f64>,
     },
-    /// Nothing in range perforates.
+    /// No velocity in range perforates.
     Never,
-    /// Everything in range perforates.
+    /// Every velocity in range perforates.
     Always,
-    /// Stopped before it was found.
+    /// Cancelled before the limit was found.
     Unknown,
 }
 
 impl Limit {
-    /// A limit with all slower shots stopped and all faster ones perforating.
+    /// Creates a unique limit: all slower shots are stopped and all faster shots perforate.
     pub fn found(velocity_m_s: f64, basis: LimitMethod) -> Self {
         Self::Found { velocity_m_s, basis, stopped_at_m_s: None, undecided_at_m_s: None }
     }
@@ -91,19 +92,19 @@ impl Limit {
         self
     }
 
-    /// The limit velocity, m/s, where there is one.
+    /// Returns the limit velocity, m/s; `None` without one.
     pub fn velocity_m_s(self) -> Option<f64> {
         if let Self::Found { velocity_m_s, .. } = self { Some(velocity_m_s) } else { None }
     }
 
-    /// The limit velocity, m/s, if all slower shots are decided.
+    /// Returns the limit velocity, m/s, if all slower shots are decided.
     fn decided_m_s(self) -> Option<f64> {
         let is_decided =
             |limit: &Self| !matches!(limit, Self::Found { undecided_at_m_s: Some(_), .. });
         Some(self).filter(is_decided)?.velocity_m_s()
     }
 
-    /// Why there is none.
+    /// Explains why there is no limit velocity; `None` if there is one.
     pub fn absence(self) -> Option<String> {
         let (low, high) = RANGE_M_S;
         match self {
@@ -118,7 +119,7 @@ impl Limit {
         }
     }
 
-    /// Warns that measurements contradict an oblique limit, which is too low; `None` at normal impact, or without a limit.
+    /// Warns that an oblique limit is lower than measurements; `None` at normal impact, or without a limit.
     pub fn caution(self, scene: &Scene) -> Option<String> {
         let theta = scene.projectile.obliquity_deg;
         self.velocity_m_s().filter(|_| theta > 0.0)?;
@@ -137,48 +138,48 @@ pub struct Shot {
     pub residual_m_s: Option<f64>,
 }
 
-/// The command that finds the limit of a scene.
+/// Name of the command that finds the limit of a scene.
 pub const COMMAND: &str = "limit";
 
-/// The limit of a scene and all that goes with it.
+/// Ballistic limit of a scene, with the residual-velocity curve and the limits by other closures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitReport {
     /// The scene.
     pub scene: Arc<Scene>,
-    /// The limit.
+    /// Ballistic limit.
     pub limit: Limit,
-    /// A shot just below the limit; `None` without a limit.
+    /// Shot just below the limit; `None` without a limit.
     pub at_limit: Option<Run>,
-    /// Residual velocity of a shot just above the limit, m/s; `None` without a limit, or if that shot does not pass through.
+    /// Residual velocity of a shot just above the limit, m/s; `None` without a limit, or if that shot does not perforate.
     pub residual_at_limit_m_s: Option<f64>,
-    /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none; `None` where it holds up to
-    /// the limit.
+    /// Highest impact velocity at which a fused interface stays within its limit load, m/s; 0 if there is none; `None` if the interface
+    /// stays within it up to the ballistic limit.
     pub interface_holds_m_s: Option<f64>,
-    /// The limits by both closures, where the flow strength comes from a yield stress.
+    /// Limits by the three closures, if the flow strength follows from a yield stress.
     pub closures: Option<Closures>,
-    /// Between which limits, m/s, the limit jumps where the closure changes, at h = D, where the plate is about as thick.
+    /// Limits on either side of the jump at h = D, where the closure changes, m/s; `None` unless the plate's thickness is close to that.
     pub jump_m_s: Option<(f64, f64)>,
-    /// The curve, in order of velocity.
+    /// Residual-velocity curve, sorted by impact velocity.
     pub shots: Vec<Shot>,
-    /// Recht and Ipson's law through the curve.
+    /// Fit of Recht and Ipson's law to the curve.
     pub recht_ipson: Option<ResidualLaw>,
-    /// Lambert and Jonas's law through the curve.
+    /// Fit of Lambert and Jonas's law to the curve.
     pub lambert_jonas: Option<ResidualLaw>,
 }
 
 impl LimitReport {
-    /// How far the expected limit, else the law's, lies above the scene's own velocity, relative to that.
+    /// Returns the margin of the expected limit, else of the law's limit, over the scene's impact velocity, relative to that velocity.
     pub fn margin(&self) -> Option<f64> {
         let velocity = self.verdict().headline_m_s()?;
         Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
     }
 
-    /// The verdict on the scene's own shot.
+    /// Returns the verdict on the scene's own shot.
     pub fn verdict(&self) -> Verdict {
         Verdict::with_limit(&self.scene, self.limit.velocity_m_s())
     }
 
-    /// A slower shot that is not decided, m/s.
+    /// Returns the velocity of a slower undecided shot, m/s.
     pub fn undecided_at_m_s(&self) -> Option<f64> {
         if let Limit::Found { undecided_at_m_s, .. } = self.limit { undecided_at_m_s } else { None }
     }
@@ -192,13 +193,13 @@ impl LimitReport {
         ))
     }
 
-    /// A caution about the limit; see [`Limit::caution`].
+    /// Returns a caution about the limit; see [`Limit::caution`].
     pub fn caution(&self) -> Option<String> {
         self.limit.caution(&self.scene)
     }
 }
 
-/// Find the limit of a scene and its residual-velocity curve.
+/// Finds the limit of a scene and its residual-velocity curve.
 pub fn find(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<LimitReport, VariableError> {
     find_within(scene, context, &mut ShotWork::default())
 }
@@ -238,7 +239,7 @@ fn find_within(
     })
 }
 
-/// The limit of a scene and nothing else.
+/// Finds the limit of a scene, without the curve.
 pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
     alone_within(scene, context, &mut ShotWork::default())
 }
@@ -253,7 +254,7 @@ fn alone_within(
     Ok(ShotRunner { scene, context, work }.whole_limit())
 }
 
-/// The limit velocity of a scene, m/s.
+/// Returns the limit velocity of a scene, m/s.
 pub fn velocity_m_s(scene: &Scene) -> Result<f64, String> {
     let limit = alone(&Arc::new(scene.clone()), &mut Context::new(1, &mut never_cancel));
     let limit = limit.map_err(|error| error.to_string())?;

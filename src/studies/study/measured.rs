@@ -12,10 +12,10 @@ pub use class::{Alloy, Class, Expectation, Key, Sample, classes};
 pub use errors::{Computed, Errors, Row, WITHOUT_CLASS, errors, evaluate, leave_out};
 pub use table::{FindEntry, Measured, Measurement, OUTPUTS, read};
 
-/// The measured limits as they are written.
+/// Built-in table of measured limits, as CSV.
 const FILE: &str = include_str!("../data/limits.csv");
 
-/// The built-in table; empty if the file is wrong, which a test refuses.
+/// Returns the built-in table; empty if the file is invalid, which a test excludes.
 pub fn built_in() -> &'static [Measurement] {
     static TABLE: LazyLock<Vec<Measurement>> = LazyLock::new(|| {
         let none: FindEntry<'_> = &|_, name| Err(format!("no entry {name}"));
@@ -24,13 +24,13 @@ pub fn built_in() -> &'static [Measurement] {
     &TABLE
 }
 
-/// The built-in table with the limits that all other papers let expect.
+/// Returns the built-in table, each row with the limit expected from the measurements of all other papers.
 pub fn left_out() -> &'static [Row] {
     static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| leave_out(built_in()));
     &ROWS
 }
 
-/// The classes of the built-in table.
+/// Returns the classes of the built-in table.
 pub fn known() -> &'static [Class] {
     static KNOWN: LazyLock<Vec<Class>> = LazyLock::new(|| errors::classes_of(built_in()));
     &KNOWN

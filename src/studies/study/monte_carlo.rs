@@ -1,9 +1,8 @@
 //! Monte Carlo over tolerances: the spread of the results for scattered inputs, and the probability of perforation.
 //!
-//! Inputs are independent and drawn by one seeded stream, so that no digit depends on the number of threads. A draw without
-//! physical sense is drawn again and counted: the distribution is the one requested, truncated to what is allowed. The values
-//! of a result are kept for its quantiles, eight bytes each: [`SAMPLES`] is the limit. Must not know files, screens or a
-//! clock.
+//! Inputs are independent and drawn from one seeded stream, so results do not depend on the number of threads. A draw without physical
+//! sense is repeated and counted: the distribution is the requested one, truncated to allowed values. All values of a result are stored for
+//! its quantiles, eight bytes each; [`SAMPLES`] bounds the memory. Does not depend on files, the terminal or a clock.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -24,33 +23,33 @@ pub use tolerance::{Distribution, Kind, Tolerance};
 
 mod tolerance;
 
-/// Numbers of samples that are accepted; the greatest takes some 80 MB a result.
+/// Allowed numbers of samples; the maximum takes about 80 MB for each result.
 pub const SAMPLES: RangeInclusive<usize> = 2..=10_000_000;
-/// Samples if no number is given.
+/// Default number of samples.
 pub const DEFAULT_SAMPLES: usize = 10_000;
-/// Samples if no number is given and each takes a limit search.
+/// Default number of samples if each takes a limit search.
 pub const DEFAULT_LIMIT_SAMPLES: usize = 200;
-/// Seed if none is given.
+/// Default seed.
 pub const DEFAULT_SEED: u64 = 1;
-/// Samples evaluated at once.
+/// Samples evaluated per batch.
 const BATCH: usize = 2048;
-/// Draws of one sample before it is given up.
+/// Maximum number of draws for one sample.
 const DRAWS_MAX: usize = 10_000;
 pub use crate::study::quantities::LIMIT;
-/// Relative deviation if none is given.
+/// Default relative standard deviation.
 pub const DEFAULT_DEVIATION: f64 = 0.02;
 
-/// Error of the law in limit velocities.
+/// Error of the law for limit velocities.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ModelError {
-    /// Law over measurement, less 1: negative where limits come out low; > -1.
+    /// Law over measurement, less 1; > -1. Negative if computed limits are too low.
     pub bias: f64,
-    /// Standard deviation of the logarithm of law over measurement, >= 0.
+    /// Standard deviation of ln(law/measured), >= 0.
     pub spread: f64,
 }
 
 impl ModelError {
-    /// The correction factor of a computed limit, drawn.
+    /// Draws the correction factor of a computed limit.
     fn factor(self, random: &mut Random) -> f64 {
         let spread = if self.spread > 0.0 { (self.spread * random.normal()).exp() } else { 1.0 };
         spread / (1.0 + self.bias)
@@ -60,17 +59,17 @@ impl ModelError {
 /// Request for a Monte Carlo study.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// The inputs that scatter; empty: [`default_tolerances`] by [`DEFAULT_DEVIATION`].
+    /// Scattered inputs; empty for [`default_tolerances`] with [`DEFAULT_DEVIATION`].
     pub vary: Vec<Tolerance>,
-    /// The measures; empty: all but those of the computation.
+    /// Measures; empty for all except those that describe the computation.
     pub outputs: Vec<&'static Quantity>,
-    /// Number of samples, >= 2; `None`: fewer where each takes a limit search.
+    /// Number of samples, >= 2; `None` for the default, which is smaller if each sample takes a limit search.
     pub samples: Option<usize>,
-    /// Seed.
+    /// Seed of the random stream.
     pub seed: u64,
-    /// Bias of the model in every limit velocity; `None`: the one known.
+    /// Bias of the model in every limit velocity; `None` for the known bias.
     pub model_bias: Option<f64>,
-    /// Spread of the model there; `None`: the one known.
+    /// Spread of the model in every limit velocity; `None` for the known spread.
     pub model_spread: Option<f64>,
 }
 
@@ -81,7 +80,7 @@ impl Default for Request {
     }
 }
 
-/// The command's name and options.
+/// Writes the name and options of the command.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let vary: String = self.vary.iter().map(|it| option("vary", Some(it))).collect();
@@ -96,12 +95,12 @@ impl fmt::Display for Request {
 }
 
 impl Request {
-    /// V50: the limit velocity under the usual tolerances and the known error of the model.
+    /// Creates the request for V50: the limit velocity under the default tolerances and the known model error.
     pub fn v50() -> Self {
         Self { outputs: find(LIMIT).into_iter().collect(), ..Self::default() }
     }
 
-    /// The inputs that scatter.
+    /// Returns the scattered inputs.
     fn tolerances(&self, scene: &Scene) -> Vec<Tolerance> {
         if self.vary.is_empty() {
             return default_tolerances(scene, DEFAULT_DEVIATION);
@@ -109,7 +108,7 @@ impl Request {
         self.vary.clone()
     }
 
-    /// Names of the measures.
+    /// Returns the names of the measures.
     fn measures(&self) -> Vec<&'static str> {
         if self.outputs.is_empty() {
             return quantities::usual().map(|it| it.name).collect();
@@ -117,13 +116,13 @@ impl Request {
         self.outputs.iter().map(|it| it.name).collect()
     }
 
-    /// Number of samples.
+    /// Returns the number of samples.
     fn count(&self) -> usize {
         let is_searched = self.outputs.iter().any(|it| it.needs() == Needs::Limit);
         self.samples.unwrap_or(if is_searched { DEFAULT_LIMIT_SAMPLES } else { DEFAULT_SAMPLES })
     }
 
-    /// The error of the model.
+    /// Returns the model error.
     fn model(&self, scene: &Scene) -> ModelError {
         let known = Verdict::from_scene(scene).expected;
         let known = known.map_or_else(ModelError::default, |it| ModelError {
@@ -137,58 +136,58 @@ impl Request {
     }
 }
 
-/// An estimate and its 95 % confidence interval.
+/// Estimate with its 95 % confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The estimate.
+    /// Estimated value.
     pub value: f64,
-    /// The lower end of the interval.
+    /// Lower end of the interval.
     pub low_95: f64,
     /// Upper end of the interval.
     pub high_95: f64,
 }
 
-/// How one measure scatters.
+/// Scatter of one measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
-    /// The measure.
+    /// Scattered measure.
     pub measure: &'static Quantity,
-    /// Whether the error of the model is in its values.
+    /// Whether the values include the model error.
     pub has_model_error: bool,
     /// Value of the unscattered scene.
     pub nominal: Option<f64>,
-    /// Mean; there is one where there is a deviation.
+    /// Mean; `None` if there is no standard deviation.
     pub mean: Option<Estimate>,
-    /// Standard deviation; `None` without two values.
+    /// Standard deviation; `None` for fewer than two values.
     pub deviation: Option<f64>,
-    /// All values, rising.
+    /// All values, in ascending order.
     pub sorted: Vec<f64>,
 }
 
-/// The result.
+/// Result of a Monte Carlo study.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MonteCarloReport {
-    /// The inputs.
+    /// Scattered inputs.
     pub tolerances: Vec<Tolerance>,
-    /// Draws of each input that made no physical sense and were drawn again.
+    /// Number of repeated draws of each input, because the value made no physical sense.
     pub redrawn: Vec<usize>,
-    /// Seed.
+    /// Seed of the random stream.
     pub seed: u64,
-    /// Samples done.
+    /// Number of evaluated samples.
     pub samples: usize,
-    /// How they ended.
+    /// Number of samples with each outcome.
     pub outcomes: OutcomeCounts,
-    /// The outcome of the scene itself.
+    /// Outcome of the unscattered scene.
     pub nominal: Option<PointOutcome>,
-    /// Part of the samples that perforate, of those that came to an end (interval: Wilson's); `None` without any.
+    /// Fraction of the decided samples that perforate, with Wilson's interval; `None` if no sample is decided.
     pub perforated: Option<Estimate>,
-    /// The error of the model.
+    /// Model error.
     pub model: ModelError,
-    /// Measure by measure; a limit velocity with the error of the model, and then without it.
+    /// Summary of each measure; a limit velocity has one with and one without the model error.
     pub summaries: Vec<Summary>,
 }
 
-/// Variables of every scene that scatter by default, besides its springs. The results of a seed depend on the order.
+/// Variables that scatter by default in every scene, besides its springs. Their order determines the results of a seed.
 const DEFAULT_KEYS: [&str; 14] = [
     "projectile.velocity_m_s",
     "projectile.mass_kg",
@@ -207,14 +206,13 @@ const DEFAULT_KEYS: [&str; 14] = [
 ];
 const STOP: &str = "mechanism.stop.position_m";
 
-/// The inputs that scatter where none are named, lognormal by a relative deviation: all of `DEFAULT_KEYS`, the springs' own
-/// parameters and the stop, where the scene uses them and they are not zero. Shapes (exponents) and numbers of springs are taken as
-/// they are, unless the spring has no other parameter.
+/// Returns the default scattered inputs, lognormal with a relative deviation: `DEFAULT_KEYS`, the parameters of the springs and the stop,
+/// if the scene uses them and they are not zero. Exponents and numbers of springs do not scatter unless the spring has no other parameter.
 pub fn default_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
     let bodies = DEFAULT_KEYS.iter().filter_map(|key| variables::find(key).ok());
     let springs = VARIABLES.iter().filter(|variable| is_springs_own(variable.key, scene));
     let scatters = |variable: &&Variable| {
-        // What follows from another input varies with that.
+        // An input that follows from another one varies with it.
         !variables::overrules_size(variable, scene)
             && variables::is_listed(variable, scene)
             && variables::is_used(variable, scene)
@@ -232,7 +230,7 @@ pub fn default_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
         .collect()
 }
 
-/// Whether a key is a parameter of a spring that scatters.
+/// Returns `true` if a key is a spring parameter that scatters by default.
 fn is_springs_own(key: &str, scene: &Scene) -> bool {
     let spring = &scene.mechanism.spring;
     if key == "mechanism.second.coefficient" {
@@ -241,9 +239,9 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
     let Some(row) = key.strip_prefix("mechanism.spring.") else { return false };
     match row {
         "exponent" | "mass_kg" => false,
-        // A measured curve scatters in force.
+        // The force of a measured curve scatters.
         "count" => spring.kind == SpringKind::Table,
-        // The wire's moves the plate only where its mass counts.
+        // The wire's parameters affect the plate only if its mass counts.
         _ if row.starts_with("wire.") => {
             spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none()
         }
@@ -251,10 +249,10 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
     }
 }
 
-/// Draw and evaluate.
+/// Draws and evaluates the samples.
 ///
 /// # Errors
-/// A [`StudyError`] when something about it is bad: then nothing has run; or when no draw makes sense.
+/// Returns a [`StudyError`] for an invalid request, before any run, or if no draw makes physical sense.
 pub fn run(
     scene: &Scene,
     request: &Request,
@@ -319,7 +317,7 @@ pub fn run(
     Ok(report)
 }
 
-/// The outcome of a sample whose limit is known with the error of the law, m/s: the same draw decides both.
+/// Returns the outcome of a sample whose limit, m/s, includes the model error. The same draw of the error decides outcome and limit.
 fn by_limit(outcome: PointOutcome, v_m_s: f64, limit_m_s: Option<f64>) -> PointOutcome {
     let (PointOutcome::Ended(ended), Some(limit_m_s)) = (outcome, limit_m_s) else {
         return outcome;
@@ -331,7 +329,7 @@ fn by_limit(outcome: PointOutcome, v_m_s: f64, limit_m_s: Option<f64>) -> PointO
     })
 }
 
-/// Where the samples are evaluated.
+/// Returns the evaluation plan of the samples.
 fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<Plan, StudyError> {
     if tolerances.is_empty() {
         let text = "nothing scatters: name an input, for example v_i=normal:2%";
@@ -357,7 +355,7 @@ fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<P
     Plan::for_designs(scene, axes, &request.measures())
 }
 
-/// A value for every input, which together make physical sense in the scene; counts how often each input is drawn again.
+/// Draws values of all inputs that together make physical sense in the scene; counts the repeated draws of each input.
 fn sample(
     tolerances: &[Tolerance],
     scene: &mut Scene,
@@ -389,7 +387,7 @@ fn sample(
     )))
 }
 
-/// The part that perforates, of all that came to an end.
+/// Computes the fraction of the decided samples that perforate.
 fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
     let open = counts.count(Outcome::Moving) + counts.count(Outcome::Unmeasured);
     let ended = (counts.total() - counts.failed - open) as f64;
@@ -414,8 +412,8 @@ impl Summary {
         Self { measure, has_model_error: false, nominal, mean, deviation, sorted: values }
     }
 
-    /// The value below which a given part lies, with the order statistics that enclose it with 95 % confidence (normal
-    /// approximation of the binomial); `None` without two values.
+    /// Returns a quantile with its 95 % confidence interval from order statistics (normal approximation of the binomial); `None` for fewer
+    /// than two values.
     pub fn quantile(&self, share: f64) -> Option<Estimate> {
         self.deviation?;
         let half = Z95 * (share * (1.0 - share) / self.sorted.len() as f64).sqrt();

@@ -1,9 +1,8 @@
-//! THE table of quantities: the name, unit, meaning and source of every number that a scene comes down to.
+//! Table of all quantities: name, unit, meaning and source of each number computed for a scene.
 //!
-//! JSON keys, the rows of exports, the outputs of sweeps, and what searches, Monte Carlo and sensitivity analysis request are all
-//! taken from here, so that a name means the same everywhere: a new quantity is one row. What a quantity needs decides what it
-//! costs: nothing is computed for a quantity that is not requested. Nothing here knows files or screens; the time a run took is
-//! measured by whoever ran it.
+//! JSON keys, export rows, sweep outputs, and the requests of searches, Monte Carlo and sensitivity studies use this table. A name
+//! therefore has the same meaning everywhere, and a new quantity is one row. The source of a quantity determines its cost; quantities that
+//! are not requested are not computed. The module does not depend on files or the terminal. The caller measures the run time.
 
 use crate::study::error::QuantityError;
 use crate::study::first_contact::FirstContact;
@@ -24,22 +23,22 @@ pub use names::{find, listing, named, nearest};
 /// Quantity: a result that can be swept, sought, optimised and scattered.
 #[derive(Clone, Copy, Debug)]
 pub struct Quantity {
-    /// Name in JSON, CSV and `[sweep] outputs`; with its unit at the end.
+    /// Name in JSON, CSV and `[sweep] outputs`, ending in the unit.
     pub name: &'static str,
-    /// The kind of its values, which says in what units they may be written.
+    /// Dimension of the values; determines the allowed units.
     kind: Dimension,
-    /// Meaning, in a few words.
+    /// Short description.
     pub meaning: &'static str,
     source: Source,
-    /// How it follows from the first contact.
+    /// Computation from the first contact.
     pub(in crate::study) from_contact: FromContact,
     /// Lower bound for a run that ended before the value was final.
     lower_bound: Option<fn(&Run) -> Option<f64>>,
     /// Label if it differs from the name in files; else empty.
     title: &'static str,
-    /// A word or two for narrow columns; empty: its title.
+    /// Label of one or two words for narrow columns; empty for the title.
     short: &'static str,
-    /// Why a shot that is stopped may be without it.
+    /// Reason why a stopped shot may lack the quantity.
     pub(in crate::study) absence: &'static str,
     /// Flags of the quantity.
     traits: &'static [QuantityFlag],
@@ -52,13 +51,13 @@ pub enum QuantityFlag {
     OfPerforation,
     /// Describes the computation, not the design.
     OfComputation,
-    /// A stack has it, too: of the whole shot.
+    /// Also exists for a stack, where it describes the whole shot.
     OfStack,
-    /// A count of the computation, which JSON has as a whole number.
+    /// Counter of the computation, a whole number in JSON.
     Whole,
-    /// A percentage.
+    /// Percentage.
     Percent,
-    /// Describes the hole, which is as deep as a perforated plate.
+    /// Describes the hole, whose depth is the plate thickness after a perforation.
     OfHole,
     /// Includes springs that are sized for one shot.
     CountsSprings,
@@ -66,56 +65,56 @@ pub enum QuantityFlag {
     Estimate,
 }
 
-/// The searches with many shots.
+/// Searches that take many shots.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study) enum Search {
     Limit,
-    /// A velocity of the limit that measurements let expect.
+    /// Velocity from the limit expected by measurements.
     Expected(fn(&Expected) -> f64),
-    /// The lower end of that limit's band, else the law's limit.
+    /// Lower end of the band of the expected limit, else the law's limit.
     DesignLimit,
     LimitIfSpringSurvives,
     MassEfficiency,
 }
 
-/// Where a quantity comes from; `None` where it does not exist.
+/// Source of a quantity; the value is `None` if it does not exist.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Scene(fn(&Scene) -> Option<f64>),
     Run(fn(&Run) -> Option<f64>),
     Result(RunResult),
-    /// From a run with its course in time.
+    /// Time series of a run.
     Course(fn(&Run) -> Option<f64>),
-    /// From a search with many shots, which the study of that search makes.
+    /// Search with many shots, by the study of that search.
     Search(Search),
 }
 
-/// How a quantity follows from the first contact of a shot that this decides.
+/// Computation of a quantity for a shot that is decided at the first contact.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study) enum FromContact {
-    /// Needs a simulation.
+    /// Not possible: the quantity needs a simulation.
     No,
-    /// From its end.
+    /// From the state at the end of the contact.
     End(fn(&FirstContact) -> Option<f64>),
-    /// From its end, the greatest displacement and the scene.
+    /// From that state, the maximum plate displacement and the scene.
     Displacement(fn(&FirstContact, &Scene) -> Option<f64>),
     Scene,
 }
 
 enumeration! {
-    /// The computation that a quantity needs.
+    /// Computation required for a quantity.
     #[derive(PartialOrd, Ord)]
     pub enum Needs in NeedsRow {
-        /// In a word.
+        /// Keyword.
         word: &'static str,
-        /// In words, for people.
+        /// Text for the user.
         words: &'static str,
     }
-    /// Nothing.
+    /// No computation.
     Scene { word: "scene", words: "no simulation" }
-    /// A run.
+    /// Single run.
     Run { word: "run", words: "a run" }
-    /// A run with its course in time.
+    /// Single run with its time series.
     Course { word: "course", words: "one simulation and its time series" }
     /// Many shots.
     Limit { word: "limit", words: "many shots (a limit search)" }
@@ -152,12 +151,12 @@ const fn quantity(
     }
 }
 
-/// Quantity that is a result of a run with an error estimate of its own.
+/// Creates a quantity from a result of a run that has an error estimate.
 const fn result(result: RunResult, kind: Dimension, meaning: &'static str) -> Quantity {
     quantity(result.key(), kind, meaning, Source::Result(result))
 }
 
-/// The optional parts of a row.
+/// Builder methods for the optional fields of a row.
 impl Quantity {
     const fn by_contact(self, from_contact: FromContact) -> Self {
         Self { from_contact, ..self }
@@ -195,19 +194,19 @@ use RunResult::{
     ResidualVelocity, RotationalEnergy, SeparationTime, SeparationVelocity, StoredEnergy, Stroke,
 };
 
-/// Why there is no displacement, and no percentage.
+/// Reason why there is no displacement or percentage.
 const UNSTOPPED: &str = "nothing stops the plate";
 const NOT_MEASURED: &str = "not measured";
 const NO_BASELINE: &str = "no baseline depth";
 
-/// The greatest ratio that is reported: it stands for infinity, the ratio to a strength of zero.
+/// Maximum reported ratio; stands for an infinite ratio, to a strength of zero.
 const UNBOUNDED_RATIO: f64 = 1e6;
 
-/// Name of the ballistic limit by the law, and of the limit that a search takes in its place.
+/// Name of the ballistic limit by the law; searches for designs may replace it.
 pub const LIMIT: &str = "limit_velocity_m_s";
 const DESIGN_LIMIT: &str = "design_limit_m_s";
 
-/// Every quantity, in the order of files.
+/// All quantities, in the order of files.
 #[rustfmt::skip]
 pub static QUANTITIES: &[Quantity] = &[
     result(ArrestPenetration, Length, "depth when projectile and plate first reach common velocity")
@@ -278,7 +277,7 @@ pub static QUANTITIES: &[Quantity] = &[
 ];
 
 impl Quantity {
-    /// Whether this is so of it.
+    /// Returns `true` if the quantity has this flag.
     pub fn has(&self, what: QuantityFlag) -> bool {
         self.traits.contains(&what)
     }
@@ -293,7 +292,7 @@ impl Quantity {
         if self.title.is_empty() { self.key_words() } else { self.title.to_owned() }
     }
 
-    /// The words of its name in files, by which it is found too: `first arrest penetration`.
+    /// Returns the name in files as words, without the unit; lookups accept it: `first arrest penetration`.
     pub fn key_words(&self) -> String {
         self.bare().replace('_', " ")
     }
@@ -309,7 +308,7 @@ impl Quantity {
         if self.short.is_empty() { self.title() } else { self.short.to_owned() }
     }
 
-    /// The computation it needs.
+    /// Returns the computation required for the quantity.
     pub fn needs(&self) -> Needs {
         match self.source {
             Source::Scene(_) => Needs::Scene,
@@ -319,7 +318,7 @@ impl Quantity {
         }
     }
 
-    /// A value with its unit, in a given number of digits: `64.27 %`, `37.98 mm`, `61.2 g`.
+    /// Formats a value with its unit and a number of digits: `64.27 %`, `37.98 mm`, `61.2 g`.
     pub fn show(&self, value: f64, digits: usize) -> String {
         self.shown(value, digits, units::significant)
     }
@@ -343,7 +342,7 @@ impl Quantity {
         value.map_or_else(|| units::NO_NUMBER.to_owned(), |value| self.show(value, digits))
     }
 
-    /// Read a value: SI, or with a unit (`45mm`, `20 kN`, `1kJ`); percentages as they are shown (`60` or `60 %`).
+    /// Parses a value in SI or with a unit (`45mm`, `20 kN`, `1kJ`); percentages as displayed (`60` or `60 %`).
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let bare = if self.unit() == "%" { text.trim().trim_end_matches('%') } else { text };
         units::parse(bare, self.kind, Bare::Si)
@@ -351,7 +350,7 @@ impl Quantity {
 
     /// Reads a value; a bare number has the unit shown beside the field.
     pub fn parse_in(&self, text: &str, unit: &str) -> Result<f64, String> {
-        // Percentages are numbers of per cent.
+        // A bare percentage is already in per cent.
         if self.unit() == "%" {
             self.parse(text)
         } else {
@@ -361,7 +360,7 @@ impl Quantity {
 
     /// Returns the lower bound if a run ended before the value was final; `None` if it is final or unknown.
     pub fn lower_bound(&self, run: &Run) -> Option<f64> {
-        // The bounds of a run are those of its first plate.
+        // The bounds of a run apply to its first plate.
         self.lower_bound?(run).filter(|bound| bound.is_finite() && run.stack.is_none())
     }
 
@@ -395,43 +394,43 @@ impl Quantity {
         }
     }
 
-    /// The quantity that a search for designs of a scene takes in its place: for the limit of shots that were measured the lower end of
-    /// their band.
+    /// Returns the quantity that a design search uses for this one: the lower end of the band for the limit of a shot with measurements,
+    /// else the quantity itself.
     pub(in crate::study) fn design_quantity(&'static self, scene: &Scene) -> &'static Self {
         let is_limit = self.name == LIMIT && Key::from_scene(scene).is_some();
         is_limit.then(|| find(DESIGN_LIMIT)).flatten().unwrap_or(self)
     }
 
-    /// The search that finds it, if one has to.
+    /// Returns the search for the quantity; `None` if it needs no search.
     pub(in crate::study) fn search(&self) -> Option<Search> {
         if let Source::Search(search) = self.source { Some(search) } else { None }
     }
 
-    /// Whether a run has to keep its course in time for it.
+    /// Returns `true` if the quantity needs the time series of a run.
     pub(in crate::study) fn needs_course(&self) -> bool {
         self.needs() == Needs::Course
     }
 
-    /// Whether designs that are perforated may be compared by it.
+    /// Returns `true` if perforated designs can be compared by the quantity.
     pub(in crate::study) fn is_defined_when_perforated(&self) -> bool {
-        // What does not depend on the outcome of the shot does.
+        // Quantities that do not depend on the outcome of the shot are defined, too.
         self.has(OfPerforation) || matches!(self.source, Source::Scene(_) | Source::Search(_))
     }
 }
 
-/// The error of the energy balance of the plate where it is greatest.
+/// Returns the energy residual of the plate with the largest absolute residual.
 fn energy_residual(run: &Run) -> Option<f64> {
     let residuals = run.plates().map(|run| run.ledger.residual());
     residuals.max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
-/// The least of limit over displacement, of every spring and limit; `None` where no spring has a limit that a run comes near.
+/// Returns the smallest ratio of limit to displacement over all springs and limits; `None` if no spring has a relevant limit.
 fn travel_margin(run: &Run) -> Option<f64> {
     let farthest = run.max_plate_displacement_m.filter(|_| run.scene.is_sprung())?;
     load::travel_margin(&run.scene, run.scene.start_m(), farthest)
 }
 
-/// The depth in a stack, and in a single plate as a part of that in a rigid one.
+/// Default quantities: the depth for a stack; for a single plate the depth relative to that in a rigid plate.
 const OF_STACKS: &str = "final_penetration_m";
 const OF_PLATES: &str = "percent_of_baseline";
 
@@ -440,17 +439,17 @@ pub fn default_for(scene: &Scene) -> &'static str {
     if scene.is_stack() { OF_STACKS } else { OF_PLATES }
 }
 
-/// Every quantity that a run without its course in time comes down to: what a sweep gives where nothing is named.
+/// Iterates over the quantities of a run without time series, the default outputs of a sweep.
 pub fn of_every_run() -> impl Iterator<Item = &'static Quantity> {
     QUANTITIES.iter().filter(|it| it.needs() <= Needs::Run)
 }
 
-/// Every quantity a run with its course comes down to: limit searches are made on request alone.
+/// Iterates over the quantities of a run with time series. Limit searches are made on request only.
 pub fn of_runs() -> impl Iterator<Item = &'static Quantity> {
     QUANTITIES.iter().filter(|it| it.needs() < Needs::Limit)
 }
 
-/// The quantities that describe a design, in the order of tables: those of the computation are omitted, and limits.
+/// Iterates over the quantities that describe a design, in the order of tables; without limits and quantities of the computation.
 pub fn usual() -> impl Iterator<Item = &'static Quantity> {
     of_runs().filter(|it| !it.has(OfComputation))
 }

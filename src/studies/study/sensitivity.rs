@@ -1,7 +1,7 @@
 //! Sensitivity study: a result over the range of each variable, the others as in the scene.
 //!
-//! Points are computed coarse first: the ends of every range, then 3, 5, 9 and 17 points, so that a cancelled study compares all variables.
-//! The study does not depend on files, screens or a clock.
+//! Points are computed in order of refinement: the ends of each range, then 3, 5, 9 and 17 points. A cancelled study can therefore compare
+//! all variables. The study does not depend on files, the terminal or a clock.
 
 use std::fmt;
 
@@ -20,45 +20,45 @@ use cmra_engine::model::variables::{self, Allowed, Variable};
 use cmra_engine::numerics::statistics::{quantile, sorted_by};
 use cmra_engine::numerics::{larger, smaller};
 
-/// The variables of the study where none are named: those that the thesis designs with, then those that it is given.
+/// Default variables of the study: the design variables of the thesis, then its given parameters.
 pub const VARIABLES: [&str; 14] =
     ["gamma", "d", "k", "n", "b", "m", "x_stop", "v_i", "m_p", "R", "h", "rho", "S_y", "C_d"];
 
-/// The result of the study where none is named.
+/// Default output of the study.
 pub const OUTPUT: &str = "final_penetration_m";
 
 /// Number of points along the range of a variable.
 pub const POINTS: usize = 17;
 
-/// Places of the points of each round; each round halves the distance between points.
+/// Indices of the points of each refinement; each halves the distance between points.
 const ROUNDS: [&[usize]; 5] =
     [&[0, 16], &[8], &[4, 12], &[2, 6, 10, 14], &[1, 3, 5, 7, 9, 11, 13, 15]];
 
-/// Rounds before the slopes: 5 points show the shape of a row.
+/// Number of refinements before the slopes. Five points are enough to show the shape of a row.
 const ROUNDS_BEFORE_SLOPES: usize = 3;
 
-/// Least number of points that a row is interpolated from.
+/// Minimum number of points for the interpolation of a row.
 const INTERPOLATED_LEAST: usize = 5;
 
-/// Ends of the range of a variable that Table 9.2 does not have, relative to its value in the scene.
+/// Range of a variable that Table 9.2 omits, relative to its value in the scene.
 const QUARTER_TO_FOUR: (f64, f64) = (0.25, 4.0);
 
-/// Step of a difference quotient, relative to the variable: truncation error 1e-6, rounding of results (1e-9) over 1e-3.
+/// Relative step of a difference quotient: truncation error 1e-6, rounding error 1e-6 for results accurate to 1e-9.
 const STEP: f64 = 1e-3;
 
 /// Percentile of all results at which the common scale of the rows ends.
 const SCALE_PERCENTILE: f64 = 0.95;
 
-/// A request for the study.
+/// Request for a sensitivity study.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Request {
-    /// The variables and their ranges; empty: those of [`default_axes`].
+    /// Variables and their ranges; empty for [`default_axes`].
     pub over: Vec<Axis>,
-    /// The result; `None`: [`OUTPUT`].
+    /// Output; `None` for [`OUTPUT`].
     pub output: Option<&'static Quantity>,
 }
 
-/// The command's name and options.
+/// Writes the name and options of the command.
 impl fmt::Display for Request {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let over: String = self.over.iter().map(|it| option("over", Some(it))).collect();
@@ -67,12 +67,12 @@ impl fmt::Display for Request {
     }
 }
 
-/// The result at a point.
+/// Result at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
     /// Outcome of the shot.
     pub outcome: PointOutcome,
-    /// The result; of a perforation, the depth at which the nose is clear of the rear face. `None` where it does not exist.
+    /// Value of the output; for a perforation, the depth at which the nose is clear of the rear face. `None` if it does not exist.
     pub result: Option<f64>,
 }
 
@@ -83,48 +83,48 @@ impl Value {
     }
 }
 
-/// The effect of one variable on the result.
+/// Effect of one variable on the output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
-    /// The variable and its range.
+    /// Variable and its range.
     pub axis: Axis,
     /// Value of the variable in the scene, in the stored unit.
     pub own: Option<f64>,
-    /// Results at [`POINTS`] places, even on the scale of the axis; `None` where not computed.
+    /// Results at [`POINTS`] points, evenly spaced on the scale of the axis; `None` if not computed.
     pub points: [Option<Value>; POINTS],
     /// Derivative of the result with respect to the variable at its value in the scene.
     pub slope: Option<f64>,
 }
 
 impl Effect {
-    /// Number of points computed.
+    /// Returns the number of computed points.
     pub fn computed(&self) -> usize {
         self.points.iter().flatten().count()
     }
 
-    /// Results that exist, from the low end to the high end.
+    /// Iterates over the results that exist, from the low end to the high end.
     pub fn results(&self) -> impl Iterator<Item = f64> {
         self.points.iter().flatten().filter_map(|it| it.result)
     }
 
-    /// The least and the greatest result; `None` without any.
+    /// Returns the minimum and maximum result; `None` without results.
     pub fn range(&self) -> Option<(f64, f64)> {
         let least = self.results().reduce(smaller)?;
         Some((least, self.results().reduce(larger)?))
     }
 
-    /// Difference between the greatest and the least result.
+    /// Returns the difference between the maximum and minimum result.
     pub fn swing(&self) -> Option<f64> {
         self.range().map(|(least, greatest)| greatest - least)
     }
 
-    /// Whether a shot of the row perforates.
+    /// Returns `true` if a shot of the row perforates.
     pub fn perforates(&self) -> bool {
         let perforated = PointOutcome::Ended(Outcome::Perforated);
         self.points.iter().flatten().any(|it| it.outcome == perforated)
     }
 
-    /// Results in the middle of equal parts of the range, linear between points. A row of fewer than five points has results
+    /// Interpolates the results linearly at the midpoints of `count` equal parts of the range. A row of fewer than five points has results
     /// only in the parts that contain a point.
     pub fn cells(&self, count: usize) -> Vec<Option<f64>> {
         let place = |at: usize| at as f64 / (POINTS - 1) as f64;
@@ -150,7 +150,7 @@ impl Effect {
         (0..count).map(of).collect()
     }
 
-    /// The part of the range that contains the scene's value; `None` outside the range.
+    /// Returns the part of the range that contains the scene's value; `None` outside the range.
     pub fn own_cell(&self, count: usize) -> Option<usize> {
         let share = self.axis.share(self.own?)?;
         (1..=count)
@@ -160,51 +160,51 @@ impl Effect {
     }
 }
 
-/// The effects of all variables, as far as they were computed.
+/// Result of a sensitivity study; may be partial.
 #[derive(Clone, Debug)]
 pub struct SensitivityReport {
-    /// The result.
+    /// Output of the study.
     pub output: &'static Quantity,
-    /// The result of the scene itself.
+    /// Result of the unchanged scene.
     pub own: Option<Value>,
-    /// The effects, in the order of the request.
+    /// Effects, in the order of the request.
     pub effects: Vec<Effect>,
-    /// Checks of the model's validity that fail at an end of a range and not for the scene itself, each with its warning.
+    /// Validity checks that fail at an end of a range but not for the scene itself, each with its warning.
     pub outside_at_ends: Vec<(Check, Warning)>,
 }
 
 impl SensitivityReport {
-    /// Whether no point has the result.
+    /// Returns `true` if the output exists at no point.
     pub fn is_empty(&self) -> bool {
         self.effects.iter().all(|effect| effect.results().next().is_none())
     }
 
-    /// Places of the effects, the greatest difference first.
+    /// Returns the indices of the effects, sorted by decreasing difference.
     pub fn order(&self) -> Vec<usize> {
         let swing = |at: usize| self.effects[at].swing().unwrap_or(-1.0);
         sorted_by((0..self.effects.len()).collect(), |at| -swing(*at))
     }
 
-    /// The upper end of the common scale of all rows, which begins at zero: the 95th percentile of all results.
+    /// Returns the upper end of the common scale of all rows, which starts at zero: the 95th percentile of all results.
     pub fn scale(&self) -> Option<f64> {
         let sizes = self.effects.iter().flat_map(Effect::results).map(f64::abs);
         let sorted = sorted_by(sizes.collect::<Vec<f64>>(), |size| *size);
         (!sorted.is_empty()).then(|| quantile(&sorted, SCALE_PERCENTILE)).filter(|top| *top > 0.0)
     }
 
-    /// The effect of a variable, by its symbol.
+    /// Returns the effect of a variable, by its symbol.
     pub fn effect(&self, symbol: &str) -> Option<&Effect> {
         self.effects.iter().find(|effect| effect.axis.symbol() == symbol)
     }
 
-    /// The least number of points that a row has.
+    /// Returns the smallest number of computed points of a row.
     pub fn points_least(&self) -> usize {
         self.effects.iter().map(Effect::computed).min().unwrap_or(0)
     }
 }
 
-/// The range of a variable: that of Table 9.2, else a quarter to four times its value, even in the logarithm. `None` where the
-/// scene ignores the variable, or a range does not exist.
+/// Returns the range of a variable: that of Table 9.2, else 0.25 to 4 times its value, spaced geometrically. `None` if the scene ignores
+/// the variable, or without a range.
 pub fn range(scene: &Scene, variable: &Variable) -> Option<Axis> {
     let number = variable.number()?;
     let own = (number.get)(scene)?;
@@ -224,16 +224,16 @@ pub fn range(scene: &Scene, variable: &Variable) -> Option<Axis> {
     Plan::for_designs(scene, vec![axis.clone()], &[OUTPUT]).is_ok().then_some(axis)
 }
 
-/// The ranges of [`VARIABLES`] that the scene uses.
+/// Returns the ranges of the [`VARIABLES`] that the scene uses.
 pub fn default_axes(scene: &Scene) -> Vec<Axis> {
     let named = VARIABLES.iter().filter_map(|symbol| variables::find(symbol).ok());
     named.filter_map(|variable| range(scene, variable)).collect()
 }
 
-/// Computes the effects, with the checks at the ends of the ranges.
+/// Computes the effects, and the validity checks at the ends of the ranges.
 ///
 /// # Errors
-/// A [`StudyError`] when variables or result are bad: then nothing has run.
+/// Returns a [`StudyError`] for invalid variables or output, before any run.
 pub fn run(
     scene: &Scene,
     request: &Request,
@@ -247,7 +247,7 @@ pub fn run(
     Ok(report)
 }
 
-/// Computes the effects alone.
+/// Computes the effects without validity checks.
 ///
 /// # Errors
 /// As [`run`].
@@ -300,7 +300,7 @@ pub fn compute(
     Ok(report)
 }
 
-/// The value of a variable at a place of its range.
+/// Returns the value of a variable at a point of its range.
 fn value_at(axis: &Axis, at: usize) -> f64 {
     let (low, high) = axis.ends();
     match at {
@@ -328,7 +328,7 @@ fn slopes(
             effect.axis.set(&mut other, value);
             variables::validate(&other).is_ok()
         };
-        // At the end of what is allowed all points lie on one side.
+        // At the end of the allowed range all points lie on one side.
         let (is_below, is_above) = (is_allowed(own - step), is_allowed(own + step));
         let places = match (is_below, is_above) {
             (true, true) => [own - step, own + step],

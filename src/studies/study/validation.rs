@@ -1,8 +1,7 @@
-//! Measurements from outside the thesis, and what the model computes for them, with nothing fitted.
+//! Measurements from sources other than the thesis, compared with the model without fitting.
 //!
-//! Measurements and their sources are in `data/measurements.toml`; the model's values are always
-//! computed, by the case's own closure for the flow strength and by the other one. The scenes are bundled presets. Measurements that
-//! cannot be checked are listed with the reason.
+//! Measurements and their sources are in `data/measurements.toml`. The model's values are computed, by the case's own closure of the flow
+//! strength and by the alternative closure. The scenes are bundled presets. Measurements that cannot be checked are listed with the reason.
 
 use std::sync::LazyLock;
 
@@ -20,24 +19,24 @@ mod bias;
 
 pub use bias::{Bias, biases};
 
-/// The measurements as they are written.
+/// Measurements as TOML.
 const FILE: &str = include_str!("../data/measurements.toml");
 
-/// The class of a measurement that is in no statistics.
+/// Class of measurements that are excluded from the statistics.
 pub const NOT_COUNTED: &str = "not counted";
 
-/// The measurements from outside the thesis.
+/// Measurements from sources other than the thesis.
 #[derive(Default)]
 pub struct Measurements {
-    /// The classes that are counted, in the order of tables: the model is good for some and bad for others.
+    /// Classes in the statistics, in the order of tables. The accuracy of the model differs between them.
     pub classes: Vec<&'static str>,
-    /// The measurements, in the order of pages.
+    /// Measurements, in the order of pages.
     pub cases: Vec<Case>,
-    /// Further measurements that cannot be used as a check.
+    /// Measurements that cannot be used as a check.
     pub not_checked: Vec<NotChecked>,
 }
 
-/// All measurements; none where the file is wrong, which a test refuses.
+/// Returns all measurements; none if the file is invalid, which a test excludes.
 pub fn measurements() -> &'static Measurements {
     static ALL: LazyLock<Measurements> = LazyLock::new(|| read(FILE).unwrap_or_default());
     &ALL
@@ -65,7 +64,7 @@ struct Group {
     case: Vec<Entry>,
 }
 
-/// A measurement of a group, with what it has of its own.
+/// Measurement of a group, with the fields that differ within the group.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
@@ -102,36 +101,36 @@ fn read(text: &'static str) -> Result<Measurements, toml::de::Error> {
     Ok(Measurements { classes, cases: cases.collect(), not_checked })
 }
 
-/// The measured quantity.
+/// Measured quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MeasuredQuantity {
-    /// The ballistic limit, m/s.
+    /// Ballistic limit, m/s.
     Limit,
-    /// The depth, m.
+    /// Depth, m.
     Depth,
-    /// The velocity at which the last of a given number of equal hits at one place perforates, m/s.
+    /// Velocity at which the last of a number of equal hits at the same place perforates, m/s.
     RepeatLimit(u8),
-    /// The ballistic limit over that of the same plate at 0 deg.
+    /// Ballistic limit over that of the same plate at 0 deg.
     Ratio,
-    /// The strength the target opposes to a slow nose, Pa.
+    /// Resistance of the target to a slow nose, Pa.
     Strength,
-    /// How far the plate bulges under the nose, m.
+    /// Bulge of the plate under the nose, m.
     Bulge,
     /// Change of the projectile's velocity over the closing velocity.
     ProjectileShare,
     /// Change of the plate's velocity over the closing velocity.
     PlateShare,
-    /// Momentum that the struck plate and the projectile have together over that of the shot.
+    /// Momentum of the struck plate and the projectile together, over that of the shot.
     MomentumShare,
-    /// Whether an absorber is crushed flat: 1 if it is, else 0.
+    /// Whether an absorber bottoms out: 1 if it does, else 0.
     Bottoms,
-    /// A quantity of the run, by its name.
+    /// Quantity of the run, by name.
     Output(&'static str),
 }
 
 impl MeasuredQuantity {
-    /// The word.
+    /// Returns the label.
     pub fn label(self) -> &'static str {
         match self {
             Self::Limit => "ballistic limit",
@@ -168,73 +167,73 @@ impl MeasuredQuantity {
 /// Measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
-    /// A short name.
+    /// Short name.
     pub id: &'static str,
-    /// The bundled preset of the shot.
+    /// Bundled preset of the shot.
     pub preset: &'static str,
-    /// The changes to the preset, as `--set` takes them.
+    /// Changes to the preset, in the format of `--set`.
     pub set: &'static str,
     /// Class of the measurement, or [`NOT_COUNTED`].
     pub class: &'static str,
-    /// The measured quantity.
+    /// Measured quantity.
     pub quantity: MeasuredQuantity,
-    /// The measurement, in its unit.
+    /// Measured value, in the unit of the quantity.
     pub measured: f64,
     /// Resolution in the unit of the value; `None` if unknown.
     pub resolution: Option<f64>,
-    /// The nose, and what stands for it here.
+    /// Nose of the projectile, and its representation in the model.
     pub nose: &'static str,
-    /// Material of the projectile, if known; it must stay rigid.
+    /// Material of the projectile, if known; the model assumes a rigid projectile.
     pub projectile: &'static str,
-    /// Where it comes from.
+    /// Source of the measurement.
     pub source: &'static str,
-    /// Where the model must not be used, seen in this case.
+    /// Limitation of the model that this case shows.
     pub caution: &'static str,
 }
 
-/// Measurements that cannot be used as a check.
+/// Measurement that cannot be used as a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NotChecked {
-    /// A short name.
+    /// Short name.
     pub id: &'static str,
-    /// The available data.
+    /// Available data.
     pub says: &'static str,
-    /// Why it cannot be checked from the data at hand.
+    /// Reason why the data do not suffice for a check.
     pub why: &'static str,
-    /// Where it comes from.
+    /// Source of the measurement.
     pub source: &'static str,
 }
 
-/// A case with what the model makes of it.
+/// Case with its computed values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// The case.
+    /// Case of the measurement.
     pub case: &'static Case,
-    /// By the case's own closure; `None` where the model gives nothing.
+    /// Value by the case's own closure; `None` if the model gives none.
     pub computed: Option<f64>,
     /// Closure of the scene.
     pub closure: Closure,
-    /// By the other closure; `None` where the flow strength is given outright.
+    /// Value by the alternative closure; `None` if the flow strength is given directly.
     pub other: Option<f64>,
     /// Plate thickness over projectile diameter.
     pub thickness_ratio: f64,
-    /// Pressure on the nose at the start, which the projectile must bear to stay rigid, Pa.
+    /// Initial pressure on the nose, Pa. The strength of a rigid projectile must exceed it.
     pub pressure_pa: f64,
-    /// Where the closure is used beyond the plates it suits: in words.
+    /// Describes how the plate is outside the range of the closure; `None` inside.
     pub beyond: Option<String>,
 }
 
 impl Row {
-    /// How far off a value is, relative to the measurement.
+    /// Returns the error of a value, relative to the measurement.
     pub fn error(&self, value: f64) -> f64 {
         value / self.case.measured - 1.0
     }
 }
 
-/// Compute a case from its preset's scene.
+/// Computes a case from the scene of its preset.
 pub fn compute(case: &'static Case, preset: &Scene) -> Row {
-    // A text that cannot be set would be seen at once: the row's numbers would be the preset's.
+    // If a change is invalid, the row visibly has the values of the preset.
     let scene = changed(preset.clone(), case.set).unwrap_or_else(|_| preset.clone());
     let v = scene.projectile.velocity_m_s;
     Row {
@@ -251,8 +250,7 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
     }
 }
 
-/// The scene under the other closure, with the drag each is made with: Virostek's `C_d` = 0.5 for 2 Y, a hemisphere's 1 for
-/// cavity expansion.
+/// Returns the scene with the alternative closure and its drag: `C_d` = 0.5 for 2 Y (Virostek), 1 for cavity expansion on a hemisphere.
 fn other(scene: &Scene) -> Option<Scene> {
     let mut own = scene.clone();
     (own.target.closure, own.target.dishing, own.target.drag_coefficient) = match scene.closure() {
@@ -267,8 +265,8 @@ fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
     variables::validate(scene).ok()?;
     match quantity {
         MeasuredQuantity::Limit => limit::closed_form(scene),
-        // A hit leaves a hole of the volume its energy opens, and the next one starts at that depth. So N hits of mass m do what one of
-        // mass N m does at their velocity.
+        // Each hit opens a hole of a volume proportional to its energy, and the next hit starts at that depth. N hits of mass m therefore
+        // equal one hit of mass N m at the same velocity.
         MeasuredQuantity::RepeatLimit(hits) => {
             let mut joined = scene.clone();
             joined.projectile.mass_kg *= f64::from(hits);
@@ -298,8 +296,8 @@ fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
     }
 }
 
-/// Changes of the velocities of projectile and plate up to their first common velocity or their separation, over the closing velocity.
-/// Momentum gives the plate's.
+/// Computes the velocity changes of projectile and plate until arrest or separation, over the closing velocity. The change of the plate
+/// follows from momentum.
 fn shares(scene: &Scene) -> Option<(f64, f64)> {
     let run = plain_run(scene)?;
     let common = || run.first_arrest.map(|arrest| arrest.plate_velocity_m_s);

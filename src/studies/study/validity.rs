@@ -1,4 +1,4 @@
-//! Warnings of a study about the model's validity: the one check of [`envelope`], for a scene, a range of scenes, or designs.
+//! Warnings of a study about the model's validity, by the checks of [`envelope`], for a scene, a range of scenes, or designs.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -15,12 +15,12 @@ use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::units::{shortest, significant};
 use cmra_engine::model::variables;
 
-/// Steps after which the run of a check is stopped: warnings that follow from the scene alone are reported all the same.
+/// Step limit of the run of a check. Beyond it only warnings that follow from the scene alone are reported.
 const STEPS_MAX: usize = 30_000;
-/// Step limit of a run at the end of an axis. It must be cheap compared with the sweep; typical runs take tens of steps.
+/// Step limit of a run at the end of an axis. Its cost must be small compared with the sweep; typical runs take tens of steps.
 const END_STEPS_MAX: usize = 30;
 
-/// Warnings about a scene's results, from one run.
+/// Returns the warnings about a scene's results, from one run.
 pub fn of_scene(scene: &Scene) -> Vec<Warning> {
     warnings(scene, run(scene, STEPS_MAX).as_ref())
 }
@@ -35,12 +35,12 @@ fn warnings(scene: &Scene, run: Option<&Run>) -> Vec<Warning> {
     )
 }
 
-/// The run of a check; `None` where it takes too long or makes no sense.
+/// Runs a scene for a check; `None` if it exceeds the step limit or makes no physical sense.
 fn run(scene: &Scene, steps_max: usize) -> Option<Run> {
     run_while(scene, steps_max, &mut || true)
 }
 
-/// Steps between two looks at whether a check goes on.
+/// Number of steps between two calls of `goes_on`.
 const LOOK: usize = 256;
 
 /// Runs a scene until `goes_on` returns `false`.
@@ -59,13 +59,13 @@ fn run_while(scene: &Scene, steps_max: usize, goes_on: &mut dyn FnMut() -> bool)
     run.ok().filter(|run| run.end != EndReason::Cancelled)
 }
 
-/// The breaches of a scene, from its run where that could be made.
+/// Returns the breaches of a scene, including those of its run if there is one.
 fn breaches(scene: &Scene, run: Option<&Run>) -> Vec<Breach> {
     run.map_or_else(|| envelope::of_scene(scene), envelope::of_run)
 }
 
-/// Warnings about results over these axes: those of the scene, and the breaches at the ends of each axis that the scene itself does
-/// not have, the loads of spring, stop and interface among them. Of each breach the worst is given.
+/// Returns the warnings about results over these axes: the warnings of the scene, and additional breaches at the ends of each axis,
+/// including loads of spring, stop and interface. Each breach is reported at its worst end.
 pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<Warning> {
     let own = run(scene, STEPS_MAX);
     let far = at_ends(scene, own.as_ref(), axes);
@@ -79,7 +79,7 @@ pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<Warning> {
     list
 }
 
-/// The checks that fail at an end of an axis, and not for the scene itself, each with its warning.
+/// Returns the checks that fail at an end of an axis but not for the scene itself, each with its warning.
 pub fn new_at_ends(scene: &Scene, axes: &[Axis]) -> Vec<(Check, Warning)> {
     let own = run(scene, STEPS_MAX);
     let known = breaches(scene, own.as_ref());
@@ -104,7 +104,7 @@ pub fn of_pair(scene: &Scene, axes: &[Axis], measures: &[&'static Quantity]) -> 
     })
 }
 
-/// Warnings about the results of a sweep: those over its axes, and of what its outputs have to do with each other.
+/// Returns the warnings about the results of a sweep: those over its axes, and those about combinations of its outputs.
 pub fn of_plan(plan: &Plan) -> Vec<Warning> {
     let mut list = of_axes(plan.base(), plan.axes());
     list.extend(of_pair(plan.base(), plan.axes(), plan.outputs()));
@@ -138,21 +138,21 @@ fn at_ends(scene: &Scene, own: Option<&Run>, axes: &[Axis]) -> Vec<(String, Brea
 /// Validity of a design.
 #[derive(Clone, Debug)]
 pub struct DesignValidity {
-    /// Result with a plastic interface, if the design's fused one cannot carry its load.
+    /// Result with a plastic interface; `None` if the design's interface stays within its limit load.
     pub plastic: Option<Plastic>,
-    /// The checks that fail.
+    /// Failed checks.
     pub fails: Vec<Check>,
-    /// Warnings that the scene itself does not have, without those of library entries.
+    /// Warnings that the original scene does not have, without those of library entries.
     pub new: Vec<Warning>,
-    /// Warnings that the scene itself has, too.
+    /// Warnings that the original scene also has.
     pub known: Vec<Warning>,
-    /// The verdict on its shot.
+    /// Verdict on the design's shot.
     pub verdict: Verdict,
 }
 
 impl DesignValidity {
-    /// Checks a design found by a measure: by its run, or by the scene alone once `goes_on` is false. `known` are the checks that the
-    /// original scene fails.
+    /// Checks a design that a measure found: by its run, or by the scene alone once `goes_on` returns `false`. `known` contains the checks
+    /// that the original scene fails.
     pub fn from_run(
         design: &Scene,
         measure: &Quantity,
@@ -175,17 +175,18 @@ impl DesignValidity {
     }
 }
 
-/// A design on the plastic interface.
+/// Result of a design with a plastic interface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plastic {
     /// Outcome of the design's run.
     pub outcome: PointOutcome,
-    /// The measure that it was found by; `None` where it does not exist.
+    /// Value of the design's measure; `None` if it does not exist.
     pub value: Option<f64>,
 }
 
 impl Plastic {
-    /// Returns the result with a plastic interface for a design that fails these checks; `None` if its interface holds, or is plastic.
+    /// Returns the result with a plastic interface for a design that fails these checks; `None` if its interface is plastic or within its
+    /// limit load.
     fn beside(
         design: &Scene,
         fails: &[Check],
@@ -204,15 +205,15 @@ impl Plastic {
         Some(Self { outcome, value })
     }
 
-    /// In words: `plastic: 5.269 mm`, `plastic: perforated`.
+    /// Formats the result: `plastic: 5.269 mm`, `plastic: perforated`.
     pub fn message(&self, measure: &Quantity) -> String {
         let shown = self.value.map(|value| measure.show(value, 4));
         format!("plastic: {}", shown.unwrap_or_else(|| self.outcome.key().to_owned()))
     }
 }
 
-/// The checks that make a design infeasible: those by which its answer errs on the unsafe side, but for those of the model's choice
-/// that the scene itself fails (`known`).
+/// Returns the checks that make a design infeasible: those with an unsafe error, except checks of the choice of model that the original
+/// scene also fails (`known`).
 pub fn infeasible(
     design: &Scene,
     known: &[Check],
@@ -225,7 +226,7 @@ pub fn infeasible(
     checks.filter(|it| it.is_of_load() || !known.contains(it)).collect()
 }
 
-/// The warnings of a design beyond those that are known already, with the values that make it.
+/// Returns the warnings of a design that are not in `known`, with the values that define the design.
 pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[Warning]) -> Vec<Warning> {
     let value =
         |axis: &Axis| Some(format!("{}={}", axis.symbol(), significant(axis.get(scene)?, 4)));
@@ -235,14 +236,14 @@ pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[Warning]) ->
     found.map(|warning| warning.at(&*lead)).collect()
 }
 
-/// How many designs fail each check, by the checks that each fails.
+/// Counts how many designs fail each check.
 pub fn counts_of(fails: &[Vec<Check>]) -> Vec<(Check, usize)> {
     let count = |check: &Check| fails.iter().filter(|fails| fails.contains(check)).count();
     let counts = Check::ALL.map(|check| (check, count(&check))).into_iter();
     counts.filter(|(_, count)| *count > 0).collect()
 }
 
-/// These counts in words: `h/D 100, interface 88`.
+/// Formats the counts: `h/D 100, interface 88`.
 pub fn counted(counts: &[(Check, usize)]) -> String {
     let words: Vec<String> =
         counts.iter().map(|(check, count)| format!("{} {count}", check.label())).collect();
@@ -267,7 +268,7 @@ mod tests {
         texts(&super::of_axes(scene, axes))
     }
 
-    /// The baseline's interface carries 0.108 of its strength; cocked by 0.5 m, 2.875 times as much as it can.
+    /// The baseline's interface carries 0.108 of its limit load; with an offset of 0.5 m it carries 2.875 times the limit load.
     #[test]
     fn an_interface_overloaded_at_the_end_of_an_axis_is_reported() {
         let axes = [Axis::new("d", (0.0, 0.5), 2, Spacing::Linear).unwrap()];
@@ -277,7 +278,8 @@ mod tests {
         assert!(matches!(found[..], [text] if text.starts_with("at d = 0.5: ")), "{list:?}");
     }
 
-    /// The baseline's plate is 2 D thick and 1.63 D wide; h = 5 mm with a face of 46.7 mm is neither, and theta = 30 deg comes up.
+    /// The baseline's plate is 2 D thick and 1.63 D wide. Both checks fail for h = 5 mm with a face of 46.7 mm; theta = 30 deg fails at the
+    /// end of the axis.
     #[test]
     fn what_comes_up_at_the_ends_of_an_axis_is_added_once() {
         let scene = Scene::default();
@@ -304,11 +306,12 @@ mod tests {
         let is_worst =
             |text: &str| text.starts_with("at v_i = 500: ") && text.contains("is 0.635 times");
         assert!(matches!(found[..], [text] if is_worst(text)), "{list:?}");
-        // It is not new there.
+        // The check fails for the scene itself, too.
         assert!(new_at_ends(&scene, &axes).iter().all(|it| it.0 != Check::NosePressure));
     }
 
-    /// 20 m/s is 2.5 times below the 50 m/s of measurements, 5000 m/s five times above 1000 m/s: neither takes the other's place.
+    /// 20 m/s is 2.5 times below the minimum of measurements, 50 m/s; 5000 m/s is five times above their maximum, 1000 m/s. Both are
+    /// reported.
     #[test]
     fn a_shot_too_slow_and_one_too_fast_are_both_named() {
         let mut scene = Scene::default();

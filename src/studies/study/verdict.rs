@@ -1,7 +1,7 @@
-//! The verdict on a shot: whether a plate stops it, by what measurements of such shots let expect.
+//! Verdict on a shot: whether the plate stops it, as expected from measurements of such shots.
 //!
-//! Every command, page and file takes its answer from here. A shot below the band of the expected limit is stopped, a shot above it
-//! perforates. Without a class of measurements the law decides, and the verdict says so.
+//! All commands, pages and files use this verdict. A shot below the band of the expected limit is stopped; a shot above it perforates.
+//! Without a class of measurements the law decides, and the verdict states this.
 
 use crate::study::limit;
 use crate::study::measured::{Class, Expectation, Key, known};
@@ -10,24 +10,24 @@ use cmra_engine::model::units::{fixed_significant, velocity};
 use cmra_engine::numerics::larger;
 
 enumeration! {
-    /// The answer to "does this armour stop this shot?".
+    /// Answer to "does this armour stop this shot?".
     pub enum Decision in DecisionRow {
-        /// The word in files.
+        /// Keyword in files.
         word: &'static str,
-        /// The answer in a few words.
+        /// Short text for the user.
         words: &'static str,
     }
-    /// Slower than the band of the expected limit.
+    /// Impact velocity below the band of the expected limit.
     Stops { word: "stops", words: "stops it" }
-    /// Within the band.
+    /// Impact velocity within the band.
     Open { word: "open", words: "open: within the band of the limit" }
-    /// Faster than the band.
+    /// Impact velocity above the band.
     Perforates { word: "perforates", words: "is perforated" }
     /// No class of measurements applies: the law decides.
     NotMeasured { word: "not-measured", words: "not measured: the law decides" }
 }
 
-/// The limit that measurements let expect, with the band that holds 90 % of such limits.
+/// Limit expected from measurements, with the band that contains 90 % of such limits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expected {
     /// Lower end of the band, m/s.
@@ -36,41 +36,41 @@ pub struct Expected {
     pub limit_m_s: f64,
     /// Upper end of the band, m/s.
     pub high_m_s: f64,
-    /// The class of measurements in words.
+    /// Class of measurements, in words.
     pub class: String,
-    /// Rows of the class.
+    /// Number of rows of the class.
     pub measurements: usize,
-    /// Papers of the class.
+    /// Number of papers of the class.
     pub papers: usize,
-    /// Mean of law over measurement, less one.
+    /// Mean of law over measurement, less 1.
     pub bias: f64,
     /// Standard deviation of ln(law/measured) for a limit of an unseen paper.
     pub deviation: f64,
 }
 
-/// The verdict on a shot, with the limits that it rests on.
+/// Verdict on a shot, with the limits it is based on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// Limit by the law, m/s; `None` where it is not known.
+    /// Limit by the law, m/s; `None` if unknown.
     pub limit_m_s: Option<f64>,
     /// The expected limit; `None` without a class of measurements.
     pub expected: Option<Expected>,
-    /// The answer.
+    /// Decision on the shot.
     pub decision: Decision,
 }
 
 impl Verdict {
-    /// The verdict on a scene's shot, with the limit in closed form where there is one.
+    /// Returns the verdict on a scene's shot; uses the limit in closed form if there is one.
     pub fn from_scene(scene: &Scene) -> Self {
         Self::with_limit(scene, limit::closed_form(scene))
     }
 
-    /// The verdict on a scene's shot with a limit by the law that is known already, m/s.
+    /// Returns the verdict on a scene's shot, given its limit by the law, m/s.
     pub fn with_limit(scene: &Scene, limit_m_s: Option<f64>) -> Self {
         Self::by_classes(scene, limit_m_s, known)
     }
 
-    /// The verdict by some classes, which are computed only for a shot that may have one.
+    /// Returns the verdict by these classes; calls `classes` only for a shot that may have one.
     pub(in crate::study) fn by_classes<'c>(
         scene: &Scene,
         limit_m_s: Option<f64>,
@@ -103,8 +103,8 @@ impl Verdict {
         Self { limit_m_s, expected, decision }
     }
 
-    /// Factor by which a design's shot is to be slower than the limit by the law: down to the lower end of the band of measured limits where
-    /// such shots were measured, else 1. On a moving plate it is that of the same plate on a rigid mount, an assumption.
+    /// Returns the safety factor of a design: the law's limit over the largest impact velocity. The velocity is the lower end of the band
+    /// if such shots were measured; else the factor is 1. A moving plate uses the factor of the same plate on a rigid mount, an assumption.
     pub fn margin(scene: &Scene) -> f64 {
         let mut rigid = Scene { sweep: None, ..scene.clone() };
         rigid.plate.mount = Mount::Rigid;
@@ -117,20 +117,20 @@ impl Verdict {
         margin.map_or(1.0, |margin| larger(margin, 1.0))
     }
 
-    /// Whether the shot is slow enough for a design, m/s: below the band where there is one, else below the law's limit. `None` without
-    /// any limit.
+    /// Returns the velocity below which the shot is safe for a design, m/s: the lower end of the band, else the law's limit; `None` without
+    /// a limit.
     pub fn safe_below_m_s(&self) -> Option<f64> {
         self.expected.as_ref().map(|band| band.low_m_s).or(self.limit_m_s)
     }
 
-    /// The limit to show first, m/s: the expected one, else that of the law.
+    /// Returns the limit to display first, m/s: the expected limit, else the law's limit.
     pub fn headline_m_s(&self) -> Option<f64> {
         self.expected.as_ref().map(|band| band.limit_m_s).or(self.limit_m_s)
     }
 }
 
 impl Expected {
-    /// The expected limit with its band and its class in words.
+    /// Formats the expected limit with its band and its class.
     pub fn words(&self) -> String {
         format!(
             "{} ({} to {}): {}, {} measured limits of {} papers",

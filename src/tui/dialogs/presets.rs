@@ -109,13 +109,13 @@ fn figure(typed: &str) -> Option<&str> {
     (is_number(chapter) && is_number(figure)).then_some(number)
 }
 
-/// Whether a comment speaks of a figure.
+/// Returns `true` if a comment refers to the figure of this number.
 fn mentions(comment: &str, number: &str) -> bool {
     let words = comment.split(|letter: char| !(letter.is_ascii_digit() || letter == '.'));
     comment.contains("Figure") && words.map(|word| word.trim_matches('.')).any(|it| it == number)
 }
 
-/// What to say where nothing matches.
+/// Returns the message for a search without matches.
 fn no_match(typed: &str) -> String {
     match figure(typed) {
         Some(number) => format!("figure {number} has no data to compute"),

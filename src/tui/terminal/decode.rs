@@ -9,20 +9,20 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers, MouseButton, MouseEvent, MouseEventKind};
 
-/// The rest of a sequence may come so much later, on a line that falters.
+/// Longest pause inside an escape sequence, for slow connections.
 const REST: Duration = Duration::from_millis(500);
 
-/// A paste whose end does not come is over after this silence.
+/// Longest pause inside a bracketed paste; the paste ends after it.
 const PASTE_REST: Duration = Duration::from_secs(10);
 
-/// What a byte adds to the time that is left: the slowest lines bring 200 a second, and a key that is held down repeats 30 times a
-/// second. So keys cannot keep a sequence alive whose end was lost.
+/// Time that each received byte adds to the deadline of an escape sequence. The slowest lines send 200 bytes per second and a held key
+/// repeats 30 times per second, so key repeats cannot keep an unterminated sequence open.
 const PER_BYTE: Duration = Duration::from_millis(10);
 
 /// The interrupt, Ctrl-C.
 const INTERRUPT: u8 = 0x03;
 
-/// More bytes than any sequence that is known here.
+/// Maximum length of an escape sequence, bytes; larger than that of any known sequence.
 const LONGEST: usize = 64;
 
 const PASTE_END: &[u8] = b"\x1b[201~";

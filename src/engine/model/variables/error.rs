@@ -18,9 +18,9 @@ pub enum VariableError {
     Unreadable {
         /// Symbol of the variable.
         symbol: &'static str,
-        /// Its key.
+        /// Key of the variable.
         key: &'static str,
-        /// What is wrong with the text, and the cure.
+        /// Description of the error, with the remedy.
         problem: String,
     },
     /// The word is none of the variable's choices.
@@ -28,7 +28,7 @@ pub enum VariableError {
     NotAChoice {
         /// Symbol of the variable.
         symbol: &'static str,
-        /// Its key.
+        /// Key of the variable.
         key: &'static str,
         /// Word as it was written.
         value: String,
@@ -40,7 +40,7 @@ pub enum VariableError {
     Impossible {
         /// Symbol of the variable.
         symbol: &'static str,
-        /// Its key.
+        /// Key of the variable.
         key: &'static str,
         /// Number with its unit.
         value: String,
@@ -48,7 +48,7 @@ pub enum VariableError {
         meaning: &'static str,
         /// The rule.
         allowed: String,
-        /// What to write instead.
+        /// Suggested replacement.
         cure: String,
     },
     /// Values of several variables make no sense together, or not for a study.

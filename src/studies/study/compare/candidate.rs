@@ -14,7 +14,7 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables;
 
-/// Relative width to which the velocity is closed in at which the hardware fails.
+/// Relative width of the final bracket around the velocity at which the hardware fails.
 const WIDTH: f64 = 1e-9;
 
 /// Evaluation of a candidate.
@@ -24,13 +24,13 @@ pub(super) struct CandidateEvaluator<'c, 'w> {
     pub(super) context: &'c mut Context<'w>,
 }
 
-/// Up to which velocity plate and hardware hold.
+/// Limit velocities of plate and hardware.
 struct Limits {
     /// Ballistic limit of the plate alone.
     perforation: Limit,
     /// The shot at the design velocity.
     run: Run,
-    /// The fastest shot that the plate itself stops, just below its limit.
+    /// Fastest shot that the plate alone stops, just below its ballistic limit.
     fastest: Option<Run>,
     built: InstalledSpring,
     /// Limit of plate and hardware, m/s.
@@ -39,7 +39,7 @@ struct Limits {
     failure: Option<Failure>,
 }
 
-/// The limit velocity of a valid scene if its spring must survive, m/s.
+/// Computes the limit velocity of a valid scene if its spring must survive, m/s.
 pub fn limit_if_spring_survives_m_s(scene: &Scene) -> Result<f64, String> {
     variables::require_single(scene).map_err(|error| error.to_string())?;
     let mut own = scene.clone();
@@ -58,7 +58,7 @@ pub fn limit_if_spring_survives_m_s(scene: &Scene) -> Result<f64, String> {
 }
 
 impl CandidateEvaluator<'_, '_> {
-    /// The limits of plate and hardware; `None` when stopped.
+    /// Computes the limits of plate and hardware; `None` if cancelled.
     fn limits(&mut self) -> Option<Limits> {
         let scene = Arc::clone(&self.scene);
         let perforation = limit::alone(&scene, self.context).ok()?;
@@ -74,7 +74,7 @@ impl CandidateEvaluator<'_, '_> {
             Some(limit_m_s) => Some(self.fire_below(limit_m_s)?),
             None => None,
         };
-        // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
+        // If the design shot perforates, the hardware is that of the fastest shot that is stopped.
         let is_through = PointOutcome::from_run(&run).is_through() && plate_m_s.is_some();
         let sizing = fastest.as_ref().filter(|_| is_through).unwrap_or(&run);
         let built = InstalledSpring::from_scene(&scene, self.hardware, &demand(sizing));
@@ -92,7 +92,7 @@ impl CandidateEvaluator<'_, '_> {
         Some(Limits { perforation, run, fastest, built, limit_m_s, failure })
     }
 
-    /// The entry; `None` when stopped.
+    /// Evaluates a candidate; `None` if cancelled.
     pub(super) fn entry(&mut self, candidate: Candidate) -> Option<Entry> {
         let scene = Arc::clone(&self.scene);
         let Limits { perforation, run, fastest, built, limit_m_s, failure } = self.limits()?;
@@ -132,7 +132,7 @@ impl CandidateEvaluator<'_, '_> {
         self.fire(limit_m_s * (1.0 - BESIDE_LIMIT))
     }
 
-    /// The velocity from which on the hardware fails before the plate is perforated, m/s, and what fails there; `None` when stopped.
+    /// Finds the velocity above which the hardware fails before the plate is perforated, m/s, and the part that fails; `None` if cancelled.
     fn overload(
         &mut self,
         (mut fails_m_s, mut failure): (f64, Failure),

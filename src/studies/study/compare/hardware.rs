@@ -5,10 +5,10 @@ use cmra_engine::model::mechanism::load::{exceeded, stress_ratio};
 use cmra_engine::model::mechanism::{Inertia, Mechanism};
 use cmra_engine::model::scene::Scene;
 
-/// Energies this part apart are the same.
+/// Relative tolerance for equal energies.
 const SAME: f64 = 1e-9;
 
-/// Whose spring is judged.
+/// Hardware for which the limits are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Hardware {
     /// Hardware of the scene; its capacity follows from its law, and from its mass if given.
@@ -30,9 +30,9 @@ pub struct Failure {
 /// The load of a shot on the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MechanismLoadCase {
-    /// Greatest displacement, m; `None` where nothing stops the plate, or where it is not known.
+    /// Maximum plate displacement, m; `None` if nothing stops the plate or the displacement is unknown.
     max_displacement_m: Option<f64>,
-    /// Greatest energy in the springs, J.
+    /// Maximum energy stored in the springs, J.
     stored_j: Option<f64>,
 }
 
@@ -43,28 +43,28 @@ impl MechanismLoadCase {
     }
 }
 
-/// Whether the springs of a scene know their own mass.
+/// Returns `true` if the mass of a scene's springs is given.
 pub(super) fn is_own(scene: &Scene) -> bool {
     Inertia::from_scene(scene).spring_mass_kg.is_some()
 }
 
-/// Whether something stops the plate of a scene.
+/// Returns `true` if the scene has a spring, damper, stop or mount that stops the plate.
 pub(super) fn is_held(scene: &Scene) -> bool {
     let mechanism = Mechanism::from_scene(scene);
     !scene.is_sprung() || !mechanism.is_absent() || mechanism.stop.is_some()
 }
 
-/// A scene's hardware as it is built.
+/// Springs of a scene as built: mass and energy capacity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct InstalledSpring {
-    /// The springs' mass, kg; `None` where it is not known.
+    /// Mass of the springs, kg; `None` if unknown.
     pub(super) spring_kg: Option<f64>,
     /// Energy capacity, J.
     capacity_j: f64,
 }
 
 impl InstalledSpring {
-    /// For this demand, where the springs do not know their own mass.
+    /// Determines the springs from this load case if their mass is not given.
     pub(super) fn from_scene(
         scene: &Scene,
         hardware: Hardware,
@@ -72,7 +72,7 @@ impl InstalledSpring {
     ) -> Self {
         let least_kg = scene.mechanism.min_spring_kg(demand.stored_j);
         let spring_kg = Inertia::from_scene(scene).spring_kg(least_kg);
-        // The law of a beam says itself how far it goes.
+        // The law of a beam is bounded: it gives its own maximum displacement.
         let is_bounded =
             stress_ratio(scene, 0.0).is_none() && (hardware == Hardware::Sized || is_own(scene));
         let capacity_j =
@@ -81,7 +81,7 @@ impl InstalledSpring {
         Self { spring_kg, capacity_j }
     }
 
-    /// Areal mass of a scene with this hardware, kg/m².
+    /// Returns the areal mass of a scene with this hardware, kg/m².
     pub(super) fn areal_kg_m2(&self, scene: &Scene) -> Option<f64> {
         let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
         Some(plate_kg_m2 * (1.0 + self.spring_kg? / scene.plate_mass_kg()))

@@ -1,4 +1,4 @@
-//! A map of the mass efficiency over two variables, computed coarse first.
+//! Map of the mass efficiency over two variables, computed on successively finer grids.
 
 use std::ops::Range;
 
@@ -12,18 +12,18 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables;
 use cmra_engine::numerics::larger;
 
-/// Points a thread computes at once.
+/// Points per batch of a thread.
 const PIECE: u64 = 16;
-/// Distance between the points of each pass: until a point is computed, one of a coarser pass stands for it.
+/// Grid spacing of each pass, in points. A point that is not yet computed shows the nearest point of a coarser pass.
 const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
-/// Points along an axis, if none is given.
+/// Default number of points along an axis.
 pub const DEFAULT_COUNT: u64 = 41;
-/// A result that the plan of a map has: the map itself has none of a sweep.
+/// Placeholder output for the plan of a map, which requires one. The map itself does not use it.
 const OUTPUT: &str = "final_penetration_m";
-/// Relative width to which thicknesses are closed in, and the tolerance of the shots, at least: the efficiency is as good.
+/// Relative accuracy of the thickness, and upper bound of the run tolerance. The efficiency has the same accuracy.
 const WIDTH: f64 = 1e-5;
 const TOLERANCE: f64 = 1e-6;
-/// Least and greatest value of a usual axis over the scene's own value; of the impact velocity, of any other variable.
+/// Range of a default axis, relative to the scene's own value: of the impact velocity, and of any other variable.
 const AROUND_VELOCITY: (f64, f64) = (0.1, 2.0);
 const AROUND: (f64, f64) = (0.1, 10.0);
 
@@ -31,12 +31,12 @@ const AROUND: (f64, f64) = (0.1, 10.0);
 #[derive(Clone, Debug)]
 pub struct Map {
     plan: Plan,
-    /// By point: the second variable runs fastest. `None` where it was stopped before.
+    /// Result of each point; the second variable varies fastest. `None` if the study was cancelled before the point.
     pub cells: Vec<Option<Result<f64, Absence>>>,
 }
 
 impl Map {
-    /// The map of a scene over two axes.
+    /// Computes the map of a scene over two axes.
     pub fn compute(
         scene: &Scene,
         axes: &[Axis; 2],
@@ -64,7 +64,7 @@ impl Map {
         Ok(map)
     }
 
-    /// Computes some points, in pieces, and shows them piece by piece.
+    /// Computes the given points in batches and reports progress after each batch.
     fn fill(&mut self, points: &[u64], hardware: Hardware, context: &mut Context<'_, Self>) {
         let (plan, stop) = (self.plan.clone(), context.stop());
         let slice = |piece: &Range<u64>| {
@@ -97,7 +97,7 @@ impl Map {
         });
     }
 
-    /// The points of a stride that are not there yet.
+    /// Returns the points of a pass that are not yet computed.
     fn pass(&self, stride: usize) -> Vec<u64> {
         let (across, up) = (self.x().count(), self.y().count());
         let along = |count: u64| (0..count).step_by(stride);
@@ -109,38 +109,38 @@ impl Map {
         points.filter(is_missing).collect()
     }
 
-    /// The scene that the axes change.
+    /// Returns the base scene of the map.
     pub fn scene(&self) -> &Scene {
         self.plan.base()
     }
 
-    /// The variable across.
+    /// Returns the horizontal axis.
     pub fn x(&self) -> &Axis {
         &self.plan.axes()[0]
     }
 
-    /// The variable up.
+    /// Returns the vertical axis.
     pub fn y(&self) -> &Axis {
         &self.plan.axes()[1]
     }
 
-    /// Whether every point was computed.
+    /// Returns `true` if every point is computed.
     pub fn is_complete(&self) -> bool {
         self.cells.iter().all(Option::is_some)
     }
 
-    /// The scene of a point, counted along both axes from their first values.
+    /// Returns the scene of a point, given by its index along each axis.
     pub fn placed(&self, x: u64, y: u64) -> Scene {
         self.plan.scene(x * self.y().count() + y)
     }
 
-    /// A point, counted along both axes from their first values; `None` where it was not reached.
+    /// Returns the result of a point, given by its index along each axis; `None` if it is not computed.
     pub fn cell(&self, x: u64, y: u64) -> Option<Result<f64, Absence>> {
         let index = usize::try_from(x * self.y().count() + y).ok()?;
         self.cells.get(index).copied().flatten()
     }
 
-    /// The point itself, or the nearest coarser one that stands for it so far.
+    /// Returns the result of a point, or of the nearest computed point of a coarser pass.
     pub fn shown(&self, x: u64, y: u64) -> Option<Result<f64, Absence>> {
         let coarser = |stride: &usize| {
             let stride = *stride as u64;
@@ -149,14 +149,14 @@ impl Map {
         STRIDES.iter().rev().find_map(coarser)
     }
 
-    /// The computed points of the row that is nearest below a point of the second axis and has any: the row, and the place and
-    /// the mass efficiency of each point, NaN where it has none.
+    /// Returns the nearest row at or below `y` that has computed points: its index, and the index and mass efficiency of each point; NaN
+    /// where the efficiency does not exist.
     pub fn row(&self, y: u64) -> (u64, Vec<(u64, f64)>) {
         let at = |y: u64| (0..self.x().count()).filter_map(move |x| Some((x, self.number(x, y)?)));
         line(y, |y| at(y).collect())
     }
 
-    /// The computed points of a column, as [`Self::row`] has those of a row.
+    /// Returns the computed points of a column, in the format of [`Self::row`].
     pub fn column(&self, x: u64) -> (u64, Vec<(u64, f64)>) {
         let at = |x: u64| (0..self.y().count()).filter_map(move |y| Some((y, self.number(x, y)?)));
         line(x, |x| at(x).collect())
@@ -167,15 +167,15 @@ impl Map {
     }
 }
 
-/// The line of the finest stride that has two points or more.
+/// Returns the line of the finest pass with two or more points.
 fn line(own: u64, at: impl Fn(u64) -> Vec<(u64, f64)>) -> (u64, Vec<(u64, f64)>) {
     let lines = STRIDES.iter().rev().map(|stride| own - own % (*stride as u64));
     let found = lines.map(|line| (line, at(line))).find(|(_, points)| points.len() > 1);
     found.unwrap_or((own, Vec::new()))
 }
 
-/// The axes of the usual map of a scene: impact velocity, and gamma or the input that gives the plate's size in its place; `None` where
-/// one of them has no such axis. The plate's size begins at a greater value where a small plate is impossible.
+/// Returns the default axes of a scene: impact velocity, and gamma or the input that gives the plate's size in its place; `None` if one of
+/// them cannot be an axis. The axis of the plate's size starts at a larger value if a small plate is impossible.
 pub fn default_axes(scene: &Scene) -> Option<[Axis; 2]> {
     let axis = |name| default_axis(scene, name, DEFAULT_COUNT).ok();
     let (across, up) = (axis("v_i")?, axis(scene.plate.size.key())?);
@@ -189,8 +189,8 @@ pub fn default_axes(scene: &Scene) -> Option<[Axis; 2]> {
     axes.into_iter().find(|axes| Plan::new(scene, axes.to_vec(), &[OUTPUT]).is_ok())
 }
 
-/// The axis of a variable that is requested by its name alone: around the scene's own value at equal ratios, or over the range
-/// of Table 9.2.
+/// Returns the axis of a variable that is given by name only: geometrically spaced around the scene's own value, or over the range of Table
+/// 9.2.
 pub fn default_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, StudyError> {
     let (variable, number) = numeric(name)?;
     let (low, high) = if variable.symbol == "v_i" { AROUND_VELOCITY } else { AROUND };

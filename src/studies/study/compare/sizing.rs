@@ -1,4 +1,4 @@
-//! The thinnest armour of a scene's kind that stops its shot, and the thinnest solid plate that does.
+//! Sizing: the thinnest armour of a scene's kind that stops its shot, and the thinnest solid plate that does.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -12,34 +12,34 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::Settings;
 use cmra_engine::numerics::{larger, smaller};
 
-/// Relative width to which the thickness is closed in.
+/// Relative width of the final bracket around the thickness.
 pub const WIDTH: f64 = 1e-9;
-/// How often a bracket is widened by a factor of two before the search is given up.
+/// Maximum number of times that a bracket is doubled.
 const WIDENED_MAX: usize = 19;
-/// The least thickness of the numerical envelope, m.
+/// Minimum thickness of the numerical envelope, m.
 pub const THINNEST_M: f64 = 5e-4;
 
-/// Why there is no such armour.
+/// Reason why no armour of the required kind exists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Absence {
-    /// The letter that stands for it in maps.
+    /// Letter that marks the reason in maps.
     pub letter: char,
-    /// The reason in a few words.
+    /// Short text of the reason.
     pub label: &'static str,
-    /// Rest of the reason, from its punctuation mark on; may be empty.
+    /// Rest of the text, starting with its punctuation mark; may be empty.
     pub more: &'static str,
 }
 
 impl Absence {
-    /// No solid plate has this limit velocity: no strength, or another contact model.
+    /// No solid plate has this limit velocity: the target has no strength, or the contact model is another one.
     const NO_SOLID: Self = Self::new('N', "no solid plate to compare with");
-    /// No thickness within a factor of a million of the solid plate's is enough.
+    /// No thickness up to a million times that of the solid plate stops the shot.
     const NO_THICKNESS: Self = Self::new('T', "no thickness stops the shot");
-    /// Every thickness of the numerical envelope is enough: of a preloaded mechanism, or a light plate of given face.
+    /// Every thickness of the numerical envelope stops the shot: for a preloaded mechanism, or a light plate of given face.
     const EVERY_THICKNESS: Self =
         Self::new('T', "even the thinnest plate within the model's range stops the shot")
             .with(": there is no least thickness");
-    /// Runs of the plates just thick enough end undecided, however long they are followed.
+    /// Runs with plates near the minimum thickness end undecided at any horizon.
     const UNDECIDED: Self = Self::new('?', "least thickness not decided")
         .with(": runs end before their outcome is known");
     const STACK: Self =
@@ -55,12 +55,12 @@ impl Absence {
         Self { more, ..self }
     }
 
-    /// The whole reason.
+    /// Returns the full text of the reason.
     pub fn words(&self) -> String {
         format!("{}{}", self.label, self.more)
     }
 
-    /// Whether it is the verdict that it leaves open, and not the armour that is missing.
+    /// Returns `true` if the minimum thickness is undecided; `false` if no such armour exists.
     pub fn is_open(self) -> bool {
         self == Self::UNDECIDED
     }
@@ -69,27 +69,27 @@ impl Absence {
 /// The thinnest armour of a scene's kind that stops its shot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SizedArmour {
-    /// The scene with that thickness.
+    /// Scene with the minimum thickness.
     pub scene: Arc<Scene>,
-    /// The mass of its springs, kg.
+    /// Mass of the springs, kg.
     pub spring_kg: f64,
     /// Areal mass, kg/m².
     pub areal_kg_m2: f64,
     /// Areal mass of the thinnest solid plate on a rigid mount that stops the shot, kg/m².
     pub solid_areal_kg_m2: f64,
-    /// Factor between the limit by the law and the velocity for which this armour is sized; 1 where no such shots were measured.
+    /// Ratio of the law's limit velocity to the velocity for which this armour is sized; 1 if no such shots were measured.
     pub margin: f64,
 }
 
 impl SizedArmour {
-    /// Areal mass of the solid plate over that of the armour.
+    /// Returns the areal mass of the solid plate over that of the armour.
     pub fn mass_efficiency(&self) -> f64 {
         self.solid_areal_kg_m2 / self.areal_kg_m2
     }
 }
 
-/// Mass efficiency of a valid scene at its own impact velocity, its thickness sized to a relative width. Opens no file and keeps
-/// nothing: scene in, number out.
+/// Computes the mass efficiency of a valid scene at its own impact velocity; `width` is the relative accuracy of the thickness. Pure
+/// function: does not access files or shared state.
 pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<f64, Absence> {
     if !is_held(scene) {
         return Err(Absence::NOTHING_STOPS);
@@ -97,7 +97,7 @@ pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<
     sized(scene, hardware, width).map(|sized| sized.mass_efficiency())
 }
 
-/// Size a valid scene for its own impact velocity, to this relative width of its thickness.
+/// Sizes a valid scene for its own impact velocity; `width` is the relative accuracy of the thickness.
 pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<SizedArmour, Absence> {
     if scene.is_stack() {
         return Err(Absence::STACK);
@@ -117,8 +117,8 @@ pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<Siz
     Ok(SizedArmour { scene: Arc::new(own), spring_kg, areal_kg_m2, solid_areal_kg_m2, margin })
 }
 
-/// The scene with its thickness times a factor. Where the plate's face is given it stays, else the mass ratio does, and the face
-/// changes.
+/// Returns the scene with its thickness multiplied by a factor. A given face of the plate is kept; otherwise the mass ratio is kept and the
+/// face changes.
 fn scaled(scene: &Scene, factor: f64) -> Scene {
     let mut own = scene.clone();
     own.target.thickness_m *= factor;
@@ -130,7 +130,8 @@ struct Shot {
     demand: MechanismLoadCase,
 }
 
-/// The shot at a scene, by the contact kernel where that is enough. It counts as stopped with the margin of measured limits only.
+/// Runs the shot at a scene, by the contact kernel if that suffices. Counts the shot as stopped only with the margin of the measured
+/// limits.
 fn shoot(scene: Scene) -> Option<Shot> {
     let margin = Verdict::margin(&scene);
     let mut faster = scene.clone();
@@ -155,11 +156,11 @@ fn shoot_by_law(scene: Scene) -> Option<Shot> {
     Some(Shot { verdict, demand })
 }
 
-/// The least factor of the thickness that stops the shot, to a relative width, and that shot.
+/// Finds the smallest thickness factor that stops the shot, to a relative width; returns it with that shot.
 fn min_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
     let thickness_m = scene.target.thickness_m;
     let try_out = |factor: f64| shoot(scaled(scene, factor)).ok_or(Absence::NO_THICKNESS);
-    // A plate that its mechanism does not help is as good as a free or a rigid one.
+    // A plate that gains nothing from its mechanism is equivalent to a free or a rigid plate.
     let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
         .filter(|_| scene.is_sprung())
         .map_or(solid, |free_m| free_m / thickness_m);
@@ -175,7 +176,7 @@ fn min_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Abse
         widened += 1;
         thick *= 2.0;
     }
-    // Slow shots are stopped by thinner plates than the envelope has: for these the least is a free plate.
+    // Slow shots are stopped by plates thinner than the numerical envelope. For these the minimum is that of a free plate.
     let thinnest = smaller(thin, THINNEST_M / thickness_m);
     loop {
         match try_out(thin)?.verdict {

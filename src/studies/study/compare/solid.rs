@@ -1,4 +1,4 @@
-//! The plate with a given limit velocity, rigid or free, in closed form.
+//! Thickness of a rigid or free plate with a given limit velocity, in closed form.
 
 use crate::study::verdict::Verdict;
 use cmra_engine::model::closed_form::Passage;
@@ -8,15 +8,15 @@ use cmra_engine::model::scene::{Closure, ContactModel, Criterion, Mount, Nose, S
 use cmra_engine::numerics::larger;
 use cmra_engine::numerics::root::bracketed_root;
 
-/// Ratio of the thicknesses that are tried on the way to a plate with the margin of measured limits, and how many.
+/// Ratio of successive trial thicknesses in the search for a plate with the margin of the measured limits, and number of trials.
 const STEP: f64 = 1.05;
 const STEPS: i32 = 60;
-/// Part of a thickness beyond a root at which the limit still has a value.
+/// Relative distance beyond a root at which the limit must still be finite.
 const BESIDE: f64 = 1e-9;
 
-/// The thickness, m, at which a free (`moves`) or rigid plate of the scene's material has this limit velocity, m/s, against the scene's
-/// projectile; `None` for another contact model, or without strength or limit. A closure that depends on thickness gives the thinner of
-/// two such plates; where its limit jumps over this one, that of the jump.
+/// Computes the thickness, m, at which a free (`moves`) or rigid plate of the scene's material has this limit velocity, m/s, against the
+/// scene's projectile; `None` for another contact model, or without strength or limit. Returns the thinner of two plates if the closure
+/// depends on the thickness; returns the thickness of a jump if the limit jumps across this velocity.
 pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
     let Scene { target, projectile, .. } = scene;
     let with =
@@ -35,8 +35,8 @@ pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> 
     None
 }
 
-/// The thickness, m, of the thinnest solid plate on a rigid mount that stops the scene's shot: below the band of measured limits where such
-/// shots were measured, else by the law.
+/// Computes the thickness, m, of the thinnest solid plate on a rigid mount that stops the scene's shot: below the band of the measured
+/// limits if such shots were measured, else by the law.
 pub(super) fn solid_thickness(scene: &Scene) -> Option<f64> {
     let v_m_s = scene.projectile.velocity_m_s;
     let by_law_m = thickness_of_limit(scene, v_m_s, false)?;
@@ -47,7 +47,7 @@ pub(super) fn solid_thickness(scene: &Scene) -> Option<f64> {
         own.target.thickness_m = thickness_m;
         Verdict::from_scene(&own).expected.map_or(0.0, |band| band.low_m_s - v_m_s)
     };
-    // Beyond the thickness of measured plates the law decides.
+    // Beyond the thickness of the measured plates the law decides.
     if excess_m_s(by_law_m) >= 0.0 {
         return Some(by_law_m);
     }
@@ -78,7 +78,7 @@ fn of_stated_closure(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> 
     if scene.projectile.nose.shears() {
         return thickness_that_shears(scene, velocity_m_s, moves);
     }
-    // At the limit the perforation takes just the volume that stops the shot, which does not depend on the thickness.
+    // At the limit the perforated volume is exactly the volume that stops the shot. It does not depend on the thickness.
     let volume = passage.stopping_volume_m3()?;
     root(scene.target.thickness_m, |thickness_m| swept(thickness_m) - volume)
 }
@@ -97,11 +97,11 @@ fn thickness_that_shears(scene: &Scene, velocity_m_s: f64, moves: bool) -> Optio
         Passage::unsprung(&own, &geometry, moves).limit_velocity_m_s() - velocity_m_s
     };
     let found_m = root(scene.target.thickness_m, excess_m_s)?;
-    // Where the plate is all plug there is a jump in place of a root.
+    // Where the whole plate becomes the plug, the bracket may enclose a jump instead of a root.
     excess_m_s(found_m * (1.0 + BESIDE)).is_finite().then_some(found_m)
 }
 
-/// The thickness, m, at which an increasing function is 0, from one near it.
+/// Finds the root of an increasing function of the thickness, m, starting from a value near it.
 fn root(near_m: f64, excess: impl Fn(f64) -> f64) -> Option<f64> {
     let (mut thin, mut thick) = (near_m, near_m);
     for _ in 0..200 {

@@ -15,7 +15,7 @@ fn plain(pairs: &str) -> ComparisonReport {
     compare(&scene, Hardware::default(), &mut Context::new(1, &mut never_cancel)).unwrap()
 }
 
-/// A quantity of the shot at the design velocity.
+/// Returns a quantity of the shot at the design velocity.
 fn value(entry: &Entry, name: &str) -> f64 {
     find(name).unwrap().value(&entry.run).unwrap()
 }
@@ -28,7 +28,7 @@ fn close(a: f64, b: f64, relative: f64) -> bool {
     (a / b - 1.0).abs() <= relative
 }
 
-/// The closed form of the module's head, for a mass ratio, an impact velocity, m/s, and an energy per mass, J/kg.
+/// Closed form of the module documentation, for a mass ratio, an impact velocity, m/s, and an energy per mass, J/kg.
 fn closed_form(gamma: f64, v: f64, e: f64) -> f64 {
     (1.0 + 1.0 / gamma) / (1.0 + v * v / (2.0 * gamma * (1.0 + gamma) * e))
 }
@@ -48,28 +48,28 @@ fn a_soft_spring_without_dishing_pays_as_the_closed_form_says() {
         let found = efficiency(&format!("dishing=false k=1 {pairs}"));
         assert!(close(found, expected, 1e-5), "{pairs}: {found} {expected}");
     }
-    // A better absorber pays at higher velocity: the line is at (4 e)^(1/2).
+    // A better absorber pays up to a higher velocity. Break-even is at (4 e)^(1/2).
     let at = |v: f64| efficiency(&format!("dishing=false k=1 e_spring=1e4 v_i={v}"));
     assert!(close(at(200.0), 1.0, 1e-5) && at(150.0) > 1.0 && at(250.0) < 1.0);
 }
 
-/// A spring of given mass holds the shot whose energy, which goes with v² (k soft, momentum shared), it stores.
+/// The capacity of a spring is proportional to its mass; the stored energy is proportional to v² (soft spring, shared momentum).
 #[test]
 fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
     let one = plain("k=1e3 v_i=20").entry(Candidate::Scene).unwrap().spring_kg.unwrap();
     let with = |times: f64| plain(&format!("k=1e3 v_i=20 m_spring={}", times * one));
     let limit = with(2.0).entry(Candidate::Scene).unwrap().limit_m_s.unwrap();
     assert!(close(limit, 20.0 * 2f64.sqrt(), 1e-4), "{limit}");
-    // Half of it does not even hold the design shot.
+    // Half of that mass does not suffice for the design shot.
     let half = with(0.5);
     assert_eq!(half.entry(Candidate::Scene).unwrap().failure.unwrap().word, "spring full");
     assert_eq!(half.verdict().pays(), Some(false));
     assert!(half.entry(Candidate::Scene).unwrap().sized.is_err());
 }
 
-/// Under the plastic interface runs of some thicker plates rattle on undecided. The thickness by another command:
-/// `cmra seek --set v_i=84 --set gamma=4 --set interface=plastic --over h=1.4mm..1.6mm:3 --goal limit_velocity_m_s=84`. Of the second
-/// every plate from 0.432 mm on is arrested.
+/// With the plastic interface, runs of some thicker plates end undecided. Check the thickness by another command: `cmra seek --set v_i=84
+/// --set gamma=4 --set interface=plastic --over h=1.4mm..1.6mm:3 --goal limit_velocity_m_s=84`. In the second case every plate thicker than
+/// 0.432 mm stops the shot.
 #[test]
 fn undecided_runs_of_thicker_plates_do_not_hide_the_thinnest_that_stops_the_shot() {
     let sized =
@@ -93,8 +93,8 @@ fn a_rigid_plate_is_its_own_solid_plate() {
     }
 }
 
-/// Without dishing a passage takes the volume pi R² h, and the limit depends on volume over reduced mass alone: a free plate is
-/// worth a rigid one thicker by 1 + 1/gamma, with drag or without.
+/// Without dishing a perforation takes the volume pi R² h, and the limit depends on volume over reduced mass alone. A free plate is
+/// equivalent to a rigid plate thicker by the factor 1 + 1/gamma, with or without drag.
 #[test]
 fn a_free_plate_is_worth_one_plus_one_over_gamma() {
     for (pairs, gamma) in [("gamma=1 C_d=0", 1.0), ("gamma=1", 1.0), ("gamma=4", 4.0)] {
@@ -104,7 +104,7 @@ fn a_free_plate_is_worth_one_plus_one_over_gamma() {
     }
 }
 
-/// After the arrest plate and projectile swing as one; at the turn all of it is in the spring.
+/// After the arrest plate and projectile oscillate together; at the turning point the spring stores all of their kinetic energy.
 #[test]
 fn the_spring_stores_what_the_swing_brings() {
     let found = plain("k=1e5");
@@ -113,7 +113,7 @@ fn the_spring_stores_what_the_swing_brings() {
     let stored = value(own, "stored_energy_j");
     assert!(close(value(own, "peak_mount_force_n"), 1e5 * farthest, 1e-12));
     assert!(close(stored, 0.5e5 * farthest * farthest, 1e-12));
-    // At the turn both bodies are at rest: the mount has all of the momentum.
+    // At the turning point both bodies are at rest: the mount has received the whole momentum.
     assert!(close(value(own, "mount_impulse_n_s"), 2.95, 1e-6));
     assert!(close(own.spring_kg.unwrap(), 5.081e-3 * stored, 1e-3));
     assert!(found.depth_over_solid().unwrap() < 1.0);
@@ -122,7 +122,7 @@ fn the_spring_stores_what_the_swing_brings() {
 #[test]
 fn areal_mass_is_all_mass_over_the_face_of_the_plate() {
     let found = plain("gamma=2 m_spring=0.059");
-    // The spring weighs as much as the plate: twice the thickness.
+    // The spring weighs as much as the plate, so the solid plate has twice the thickness.
     let solid = found.entry(Candidate::Solid).unwrap();
     assert!(close(solid.run.scene.target.thickness_m, 2.0 * 0.0254, 1e-14));
     assert!(close(found.face_m2 * 2710.0 * 0.0254, 0.059, 1e-14));
@@ -178,7 +178,7 @@ fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
     let pairs = "k=1e3 v_i=20 m_spring=10g";
     let compared = plain(pairs).entry(Candidate::Scene).unwrap().limit_m_s.unwrap();
     assert!(close(limit(pairs), compared, 1e-15));
-    // A spring whose mass is not known holds whatever it stores: the plate's own limit.
+    // A spring of unknown mass has no energy limit, so the limit is that of the plate alone.
     for pairs in ["k=1e3 h=3mm v_i=300", "mount=rigid"] {
         let own = crate::study::limit::velocity_m_s(&scene(pairs)).unwrap();
         assert!(close(limit(pairs), own, 1e-15), "{pairs}");

@@ -1,4 +1,4 @@
-//! Limit velocities by the closures of the flow strength under a hemisphere, and the band between them.
+//! Limit velocities by the closures of the flow strength under a hemisphere, and their range.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -12,27 +12,29 @@ use cmra_engine::model::scene::{Closure, ContactModel, Nose, Scene, Target};
 use cmra_engine::model::simulate::{RunSnapshot, Settings};
 use cmra_engine::numerics::{larger, smaller};
 
-/// How near to the thickness at which a closure changes a plate has to be for the jump there to matter, relative.
+/// Maximum relative distance of a thickness from that of a closure change for the jump to be reported.
 const NEAR: f64 = 0.25;
 
-/// Limit velocities by the three closures, m/s; `None` where there is none.
+/// Limit velocities by the three closures, m/s; `None` without a limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closures {
-    /// Flow strength 2 Y, with dishing: made for thin plates.
+    /// Limit with the flow strength 2 Y and dishing, a rule for thin plates.
     pub double_yield_m_s: Option<f64>,
     /// Drag coefficient of the double-yield rule.
     pub double_yield_drag: f64,
-    /// Pressure in an expanding spherical cavity, without dishing, with twice that drag coefficient: made for thick ones.
+    /// Limit with the pressure in an expanding spherical cavity, without dishing and with twice the drag coefficient; a rule for thick
+    /// plates.
     pub cavity_m_s: Option<f64>,
     /// Drag coefficient of cavity expansion.
     pub cavity_drag: f64,
-    /// Pressure in an expanding cylindrical cavity of a metal that hardens, without dishing, with the same drag coefficient.
+    /// Limit with the pressure in an expanding cylindrical cavity of a hardening metal, without dishing and with the drag of the spherical
+    /// rule.
     pub cylindrical_m_s: Option<f64>,
 }
 
 impl Closures {
-    /// The limits by the three closures; `None` where the flow strength does not come from a yield stress, under another nose than a
-    /// hemisphere, which has one law, or when stopped.
+    /// Computes the limits by the three closures; `None` if the flow strength does not follow from a yield stress, if the nose is not a
+    /// hemisphere (other noses have one law), or if cancelled.
     pub(super) fn from_scene(
         scene: &Scene,
         context: &mut Context<'_>,
@@ -54,7 +56,7 @@ impl Closures {
         Some(Self { double_yield_m_s, double_yield_drag, cavity_m_s, cavity_drag, cylindrical_m_s })
     }
 
-    /// The band, m/s, the lower end first; `None` where a closure has no limit.
+    /// Returns the range of the limits, m/s, lower end first; `None` if a closure has no limit.
     pub fn band_m_s(self) -> Option<(f64, f64)> {
         let (a, b) = self.double_yield_m_s.zip(self.cavity_m_s)?;
         let c = self.cylindrical_m_s?;
@@ -62,8 +64,8 @@ impl Closures {
     }
 }
 
-/// Whether a valid scene's shot is stopped by each of the three rules for the flow strength under a hemisphere: no measurement chooses one.
-/// True where there is one rule.
+/// Returns `true` if a valid scene's shot is stopped by each of the three closures for a hemisphere, none of which is favoured by
+/// measurements. Always `true` if there is only one closure.
 pub fn is_stopped_by_every_closure(scene: &Scene) -> bool {
     let has_one = scene.projectile.nose != Nose::Hemispherical
         || scene.contact.model != ContactModel::Hydrodynamic
@@ -81,8 +83,8 @@ pub fn is_stopped_by_every_closure(scene: &Scene) -> bool {
         })
 }
 
-/// Between which limits, m/s, the limit of a scene jumps at the nearest thickness where its closure changes; `None` where its closure does
-/// not depend on the thickness, or its plate is not near that thickness.
+/// Computes the limits, m/s, on either side of the nearest thickness at which the closure of a scene changes; `None` if the closure does
+/// not depend on the thickness, or if the plate's thickness is not close to that of the change.
 pub(super) fn jump(
     scene: &Scene,
     context: &mut Context<'_>,
@@ -103,14 +105,14 @@ pub(super) fn jump(
         let mut own = Scene { sweep: None, ..scene.clone() };
         own.target.thickness_m = change_m;
         own.target = own.target.under(closure, nose);
-        // The drag of the closure, which a cylindrical one would choose anew.
+        // Fix the drag of this closure; a cylindrical closure would choose another.
         own.target.give_drag();
         alone_within(&Arc::new(own), context, work).ok()?.decided_m_s()
     };
     at_change(ranges[after - 1].0).zip(at_change(ranges[after].0))
 }
 
-/// A scene whose flow strengths come from their yield stresses by this closure, with the dishing and the drag that belong to it.
+/// Returns a scene whose flow strengths follow from their yield stresses by this closure, with its dishing and drag.
 fn by_closure(scene: &Scene, closure: Closure) -> Scene {
     let mut own = scene.clone();
     own.sweep = None;

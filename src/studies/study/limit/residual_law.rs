@@ -7,33 +7,34 @@ use serde::Serialize;
 
 use cmra_engine::numerics::maximum;
 
-/// Range of the exponent.
+/// Range of the fitted exponent.
 const P: (f64, f64) = (1.0, 12.0);
-/// Range in which the limit is looked for, over the least impact velocity that perforated.
+/// Range of the fitted limit, relative to the smallest impact velocity that perforated.
 const MIN_LIMIT: f64 = 0.3;
 
-/// A law for the residual velocity: `v_r = a (v^p - v_bl^p)^(1/p)`.
+/// Law of the residual velocity: `v_r = a (v^p - v_bl^p)^(1/p)`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ResidualLaw {
-    /// Part of the velocity that is left far beyond the limit.
+    /// Residual velocity over impact velocity far above the limit.
     pub a: f64,
-    /// The exponent: 2 in Recht and Ipson's law.
+    /// Exponent; 2 in Recht and Ipson's law.
     pub p: f64,
-    /// The limit it goes through, m/s.
+    /// Limit velocity of the law, m/s.
     #[serde(rename = "v_bl_m_s")]
     pub limit_m_s: f64,
-    /// Root mean square of what it misses, m/s.
+    /// RMS error of the fit, m/s.
     pub misfit_m_s: f64,
 }
 
 impl ResidualLaw {
-    /// Recht and Ipson's through (impact, residual) velocities, m/s, with this limit; `None` with fewer than two, or where the
+    /// Fits Recht and Ipson's law with this limit to (impact, residual) velocities, m/s; `None` for fewer than two shots, or if the
     /// projectile leaves backwards.
     pub fn recht_ipson(shots: &[(f64, f64)], limit_m_s: f64) -> Option<Self> {
         Self::scaled(shots, 2.0, limit_m_s).filter(|law| law.a > 0.0)
     }
 
-    /// Lambert and Jonas's through (impact, residual) velocities, m/s; `None` with fewer than four, or where they have no such shape.
+    /// Fits Lambert and Jonas's law to (impact, residual) velocities, m/s; `None` for fewer than four shots, or if the law does not fit
+    /// them.
     pub fn lambert_jonas(shots: &[(f64, f64)]) -> Option<Self> {
         let least = shots.iter().map(|shot| shot.0).min_by(f64::total_cmp)?;
         if shots.len() < 4 {
@@ -47,7 +48,7 @@ impl ResidualLaw {
         Self::scaled(shots, p, limit_for(p)).filter(|law| law.a > 0.0)
     }
 
-    /// With the factor that brings the law closest to the shots.
+    /// Fits the factor `a` to the shots by least squares.
     fn scaled(shots: &[(f64, f64)], p: f64, limit_m_s: f64) -> Option<Self> {
         let (mut along, mut square) = (0.0, 0.0);
         for (v, residual) in shots {
@@ -65,15 +66,15 @@ impl ResidualLaw {
         is_known.then_some(Self { a, p, limit_m_s, misfit_m_s })
     }
 
-    /// Velocity left of an impact velocity, m/s; 0 up to the limit.
+    /// Returns the residual velocity for an impact velocity, m/s; 0 up to the limit.
     pub fn residual_m_s(&self, impact_m_s: f64) -> f64 {
         self.a * shape(impact_m_s, self.p, self.limit_m_s)
     }
 }
 
-/// (v^p - limit^p)^(1/p), 0 up to the limit; written so that large powers do not overflow.
+/// Computes `(v^p - limit^p)^(1/p)`, 0 up to the limit, without overflow for large exponents.
 fn shape(v: f64, p: f64, limit: f64) -> f64 {
-    // A power of 2 or 1/2 may be off by a digit, a product or a square root is not.
+    // `powf` with exponent 2 or 1/2 may have a rounding error; a product or a square root is exact to half a unit in the last place.
     let is_square = p - 2.0 == 0.0;
     let part = limit / v;
     let ratio = if is_square { part * part } else { part.powf(p) };

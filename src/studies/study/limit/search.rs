@@ -1,4 +1,4 @@
-//! Shots at a scene with other velocities, and the search for the limit between those that are stopped and those that perforate.
+//! Shots at a scene with other impact velocities, and the search for the limit between stopped and perforating shots.
 
 use std::sync::Arc;
 
@@ -16,48 +16,48 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::numerics::smaller;
 
-/// Relative width to which the limit is closed in.
+/// Relative width of the final bracket around the limit.
 const WIDTH: f64 = 1e-10;
-/// Where the outcomes on either side of a limit are looked at, relative to it: all below are stopped and all above perforate, or it
-/// is no single limit.
+/// Relative distances from a limit at which the outcomes are checked. The limit is unique if all shots below it are stopped and all shots
+/// above it perforate.
 pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
-/// How often a lower limit may be found beside one.
+/// Maximum number of times that the check of a limit may find a lower one.
 const LOWER_MAX: usize = 4;
-/// Relative width to which the velocity is closed in up to which an interface holds.
+/// Relative width of the final bracket around the velocity at which the interface reaches its limit load.
 const HOLDS_WIDTH: f64 = 1e-5;
-/// The runs' tolerance, at most.
+/// Upper bound of the run tolerance.
 const TOLERANCE: f64 = 1e-10;
 
-/// Work of all shots of a limit together, as [`Cost::work`](cmra_engine::model::run::Cost::work) counts it: about 2 s, at 0.05 us each.
+/// Evaluation budget of all shots of a limit, in units of [`Cost::work`](cmra_engine::model::run::Cost::work): about 2 s, at 0.05 us each.
 pub(super) const WORK_MAX: usize = 40_000_000;
-/// Ratio of the work that is left to that of the next shot: a limit takes one to three hundred shots, of which the first decide where the
-/// others are.
+/// Ratio of the remaining budget to that of the next shot. A limit takes one to three hundred shots, and the first ones determine the
+/// others.
 const SHOTS_LEFT: usize = 32;
-/// Work that every shot may take: an ordinary one takes less.
+/// Minimum evaluation budget of every shot; an ordinary shot takes less.
 const WORK_OF_SHOT: usize = 20_000;
 
-/// Work of the shots of a limit. Shots that need more than is left for them end undecided.
+/// Evaluation budget of the shots of a limit. Shots that exceed the remaining budget end undecided.
 #[derive(Debug, Default)]
 pub(super) struct ShotWork {
-    /// Work of all shots up to now.
+    /// Work of all previous shots.
     pub(super) spent: usize,
 }
 
 impl ShotWork {
-    /// The settings of the next shot, with a series or without.
+    /// Returns the settings of the next shot, with or without a series.
     fn of_shot(&self, settings: Settings) -> Settings {
         let left = WORK_MAX.saturating_sub(self.spent);
         let most = usize::max(left / SHOTS_LEFT, WORK_OF_SHOT);
         Settings { work_max: Some(most), ..settings }
     }
 
-    /// Adds the work of shots.
+    /// Adds the work of finished shots.
     fn spend(&mut self, work: usize) {
         self.spent += work;
     }
 }
 
-/// Runs shots at a scene. Shots count as pieces of work.
+/// Runs shots at a scene. Progress counts shots.
 pub(super) struct ShotRunner<'s, 'c, 'w> {
     pub(super) scene: &'s Arc<Scene>,
     pub(super) context: &'c mut Context<'w>,
@@ -65,14 +65,14 @@ pub(super) struct ShotRunner<'s, 'c, 'w> {
 }
 
 impl ShotRunner<'_, '_, '_> {
-    /// Whether to go on with the next piece of work.
+    /// Returns `true` if the next shot may start; `false` once cancelled.
     pub(super) fn should_continue(&mut self) -> bool {
         let goes_on = self.context.should_continue();
         self.context.count(1);
         goes_on
     }
 
-    /// A shot at this velocity, followed until it is decided; `None` when stopped.
+    /// Runs a shot at this velocity until it is decided; `None` if cancelled.
     fn shoot(&mut self, impact_m_s: f64) -> Option<(Shot, ShotOutcome)> {
         if !self.should_continue() {
             return None;
@@ -83,7 +83,7 @@ impl ShotRunner<'_, '_, '_> {
         (!self.context.is_stopped()).then_some((found.shot, found.outcome))
     }
 
-    /// Whether a shot goes through; `None` when stopped.
+    /// Returns the outcome of a shot; `None` if cancelled.
     fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
         if let Some(end) =
@@ -94,7 +94,7 @@ impl ShotRunner<'_, '_, '_> {
         Some(self.shoot(impact_m_s)?.1)
     }
 
-    /// A shot just below a limit; `None` when stopped.
+    /// Runs a shot just below a limit; `None` if cancelled.
     pub(super) fn at_limit(&mut self, limit_m_s: f64) -> Option<Run> {
         if !self.should_continue() {
             return None;
@@ -103,18 +103,18 @@ impl ShotRunner<'_, '_, '_> {
         let settings = self.work.of_shot(Settings::SERIES);
         let mut run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
         self.work.spend(work_of(&run));
-        // The page of a limit has no depth to compare.
+        // The limit has no depth to compare with the baseline.
         run.warnings.retain(|warning| *warning != RunWarning::NoBaseline);
         (run.end != EndReason::Cancelled).then_some(run)
     }
 
-    /// Residual velocity just above a limit, m/s; `None` if the shot does not pass through, or when stopped.
+    /// Computes the residual velocity just above a limit, m/s; `None` if the shot does not perforate, or if cancelled.
     pub(super) fn residual_at_limit(&mut self, limit_m_s: f64) -> Option<f64> {
         self.shoot(limit_m_s * (1.0 + BESIDE_LIMIT))?.0.residual_m_s
     }
 
-    /// Up to which velocity a fused interface carries no more than its strength, m/s, 0 where at none, where it carries more just
-    /// below the limit; `None` where it does not, or when stopped.
+    /// Finds the highest velocity at which a fused interface stays within its limit load, m/s, if it exceeds it just below the ballistic
+    /// limit; 0 if it exceeds it at every velocity; `None` if it does not exceed it, or if cancelled.
     pub(super) fn interface_holds(&mut self, at_limit: &Run, limit_m_s: f64) -> Option<f64> {
         let is_overloaded = |run: &Run| {
             let mut breaches = envelope::of_run(run).into_iter();
@@ -133,7 +133,7 @@ impl ShotRunner<'_, '_, '_> {
         Some(holds)
     }
 
-    /// The limits by both closures; `None` where there is but one, or when stopped.
+    /// Computes the limits by the three closures; `None` if there is only one closure, or if cancelled.
     pub(super) fn closures(&mut self) -> Option<Closures> {
         let Self { scene, .. } = *self;
         if !self.should_continue() {
@@ -143,7 +143,7 @@ impl ShotRunner<'_, '_, '_> {
         self.context.uncounted(|context| Closures::from_scene(scene, context, work))
     }
 
-    /// The limits between which the limit jumps at h = D; `None` where it does not, or when stopped.
+    /// Computes the limits on either side of the jump at h = D; `None` without a jump, or if cancelled.
     pub(super) fn jump(&mut self) -> Option<(f64, f64)> {
         let Self { scene, .. } = *self;
         if !self.should_continue() {
@@ -153,7 +153,7 @@ impl ShotRunner<'_, '_, '_> {
         self.context.uncounted(|context| jump(scene, context, work))
     }
 
-    /// The limit over all velocities, by closed form or by outcome.
+    /// Computes the limit over the whole velocity range, by closed form or by outcome.
     fn limit(&mut self) -> Limit {
         if let Some(velocity_m_s) = closed_form(self.scene) {
             return if velocity_m_s < RANGE_M_S.0 {
@@ -167,7 +167,7 @@ impl ShotRunner<'_, '_, '_> {
         self.search().unwrap_or(Limit::Unknown)
     }
 
-    /// Searches the limit and checks the outcomes on either side.
+    /// Searches for the limit and checks the outcomes on either side.
     pub(super) fn whole_limit(&mut self) -> Limit {
         let mut limit = self.limit();
         for _ in 0..LOWER_MAX {
@@ -181,8 +181,8 @@ impl ShotRunner<'_, '_, '_> {
         limit
     }
 
-    /// Checks a limit by shots on either side. A perforation below it lowers the limit; a stopped shot above it means that there is no
-    /// single limit. Undecided shots below it do not change it.
+    /// Checks a limit by shots on either side. A perforation below it lowers the limit. A stopped shot above it marks the limit as not
+    /// unique. Undecided shots below it do not change it.
     fn check_neighbourhood(&mut self, mut limit: Limit) -> Option<Limit> {
         let Limit::Found { velocity_m_s: limit_m_s, stopped_at_m_s, .. } = limit else {
             return Some(limit);
@@ -213,7 +213,7 @@ impl ShotRunner<'_, '_, '_> {
         Some(limit.stopped_again(again_m_s))
     }
 
-    /// The limit between a shot that does not perforate and one that does.
+    /// Bisects between a shot that does not perforate and one that does.
     fn closed_in(&mut self, below: BracketEnd, through_m_s: f64) -> Option<Limit> {
         let found = edge(through_m_s, below, WIDTH, &mut |it| self.verdict(it))?;
         Some(match found {
@@ -225,7 +225,7 @@ impl ShotRunner<'_, '_, '_> {
         })
     }
 
-    /// The limit by the outcome of runs: a scan at equal ratios, and bisection.
+    /// Finds the limit by the outcome of runs: a geometrically spaced scan, then bisection.
     pub(super) fn search(&mut self) -> Option<Limit> {
         let (low, high): (f64, f64) = RANGE_M_S;
         let ratio = (high / low).powf(1.0 / (SCAN - 1) as f64);
@@ -239,7 +239,7 @@ impl ShotRunner<'_, '_, '_> {
                 undecided_m_s = undecided_m_s.or_else(|| is_undecided.then_some(velocity));
                 continue;
             }
-            // What is stopped only above a range in which everything perforates has no limit velocity either.
+            // If all slow shots perforate, a stopped faster shot does not define a limit velocity.
             let Some(below) = below else { return Some(Limit::Always) };
             let mut again_m_s = None;
             for &faster_m_s in &velocities[point + 1..] {
@@ -257,7 +257,7 @@ impl ShotRunner<'_, '_, '_> {
         Some(Limit::Never)
     }
 
-    /// Shots on either side of the limit, denser above it, or over the whole range.
+    /// Computes the shots of the residual-velocity curve, denser above the limit; over the whole range without a limit.
     pub(super) fn curve(&mut self, limit: Limit) -> Vec<Shot> {
         let velocities: Vec<f64> = match limit {
             Limit::Found { velocity_m_s, .. } => {
@@ -276,7 +276,7 @@ impl ShotRunner<'_, '_, '_> {
             Limit::Unknown => Vec::new(),
         };
         let (scene, stop) = (self.scene, self.context.stop());
-        // The same for all, in whatever order they end.
+        // Shared settings make the result independent of the order in which the shots end.
         let settings = self.work.of_shot(Settings::BARE);
         let shoot = |velocity_m_s: &f64| {
             let found = shot(scene, *velocity_m_s, &settings, &mut |_| stop.flow());
@@ -289,7 +289,7 @@ impl ShotRunner<'_, '_, '_> {
     }
 }
 
-/// A shot with its verdict and its work.
+/// Shot with its outcome and its work.
 #[derive(Clone, Copy, Debug)]
 struct DecidedShot {
     shot: Shot,
@@ -297,13 +297,13 @@ struct DecidedShot {
     work: usize,
 }
 
-/// Work of a run of all plates.
+/// Returns the work of a run, for all plates.
 fn work_of(run: &Run) -> usize {
     let behind = run.stack.iter().flat_map(|stack| &stack.behind);
     behind.map(|run| run.cost.work()).sum::<usize>() + run.cost.work()
 }
 
-/// A shot at a scene at another velocity, followed until it is decided or stopped.
+/// Runs a shot at a scene with another impact velocity until it is decided or cancelled.
 fn shot(
     scene: &Scene,
     impact_m_s: f64,
@@ -319,7 +319,7 @@ fn shot(
     if aimed.closing_velocity_m_s() <= 0.0 {
         return without_run(Outcome::Separated, ShotOutcome::Stopped);
     }
-    // The scene has been found valid, and so is any velocity that reaches the plate.
+    // The scene is already validated, and any velocity that reaches the plate is valid.
     match decide(&aimed, settings, observer) {
         Some((run, outcome)) => DecidedShot {
             shot: Shot {

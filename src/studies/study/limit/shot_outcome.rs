@@ -1,4 +1,4 @@
-//! Whether a shot goes through, and where that changes: the same rule for velocities and for thicknesses.
+//! Outcome of a shot with respect to perforation, and bisection on it: the same rule for velocities and for thicknesses.
 
 use std::sync::Arc;
 
@@ -9,12 +9,12 @@ use cmra_engine::model::scene::{Criterion, Scene};
 use cmra_engine::model::simulate::{Observer, Settings, simulate};
 use cmra_engine::numerics::smaller;
 
-/// Relative width up to which undecided shots are one limit for any purpose.
+/// Relative width below which a range of undecided shots is treated as one point.
 const ONE_POINT: f64 = 1e-6;
-/// Undecided shots, each followed as far as a run goes, that are spent on the edge of what no run decides.
+/// Maximum number of undecided shots, each followed to the end of its budget, in the search for the boundary of an undecided range.
 const UNDECIDED_MAX: usize = 8;
 
-/// Whether a shot goes through.
+/// Outcome of a shot with respect to perforation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::study) enum ShotOutcome {
     Perforated,
@@ -24,15 +24,15 @@ pub(in crate::study) enum ShotOutcome {
 }
 
 impl ShotOutcome {
-    /// Returns the outcome of a shot that the first contact decides.
+    /// Returns the outcome of a shot that is decided at the first contact.
     pub(in crate::study) fn of_contact(scene: &Scene, end: &ContactEnd) -> Self {
         if is_perforated(scene, end) { Self::Perforated } else { Self::Stopped }
     }
 
-    /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
+    /// Returns the outcome of a run. A shot without enough energy to perforate is stopped, whether it is arrested or may still rebound.
     pub(in crate::study) fn from_run(run: &Run) -> Self {
         match run.shot_outcome() {
-            // The limit of the law is that of the law, also where it is low.
+            // An unmeasured perforation counts as a perforation: the limit is that of the law.
             Outcome::Perforated | Outcome::Unmeasured => Self::Perforated,
             Outcome::Arrested | Outcome::Separated => Self::Stopped,
             Outcome::Moving => {
@@ -50,7 +50,7 @@ impl ShotOutcome {
     }
 }
 
-/// A shot and its verdict by bare runs of these settings; one that its horizon leaves undecided is followed beyond it. `None` for a scene
+/// Runs a shot without a series and decides its outcome. A shot that is undecided at the horizon is followed beyond it. `None` for a scene
 /// that makes no physical sense.
 pub(in crate::study) fn decide(
     scene: &Arc<Scene>,
@@ -67,11 +67,11 @@ pub(in crate::study) fn decide(
     Some((run, verdict))
 }
 
-/// A value and its verdict.
+/// End of a bracket: a value and its outcome.
 pub(in crate::study) type BracketEnd = (f64, ShotOutcome);
 
-/// Where shots cease to perforate on the way from a value at which they do to one at which they do not, to a relative width: the
-/// last value that perforates, and the next with its verdict. `None` when stopped.
+/// Bisects, to a relative width, between a value that perforates and one that does not. Returns the last value that perforates, and the
+/// next value with its outcome; `None` if cancelled.
 pub(in crate::study) fn edge(
     mut perforated: f64,
     mut beyond: BracketEnd,
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
     use ShotOutcome::{Perforated, Stopped, Undecided};
 
-    /// From 2 (perforated) to 1 (stopped), with undecided shots in between.
+    /// Boundary search from 2 (perforated) to 1 (stopped), with undecided shots in between.
     fn found(low: f64, high: f64) -> (f64, BracketEnd) {
         let look = &mut |value: f64| {
             Some(match value {

@@ -1,4 +1,4 @@
-//! Limits against closed forms, and the absence of a limit said as such.
+//! Limits against closed forms, and messages for scenes without a limit.
 
 use super::search::WORK_MAX;
 use super::shot_outcome::ShotOutcome;
@@ -16,7 +16,7 @@ fn found(pairs: &str) -> LimitReport {
     find(&scene(pairs), &mut Context::new(1, &mut never_cancel)).unwrap()
 }
 
-/// The limit by the outcome of runs alone.
+/// Finds the limit by the outcome of runs alone.
 fn by_outcome(pairs: &str) -> f64 {
     let scene = scene(pairs);
     let mut watch = never_cancel;
@@ -50,8 +50,8 @@ fn on_a_rigid_mount_both_laws_are_exact() {
     assert!((fitted.limit_m_s / 232.295_378 - 1.0).abs() < 1e-4, "{fitted:?}");
 }
 
-/// The limits of an independent 80-bit reference. A plate that left its rigid stop within rounding was caught by it
-/// again at the same instant, for 15,000 steps, and counted as stopped: 254.24 and 255.59 m/s.
+/// Limits of an independent 80-bit reference. A plate that left its rigid stop within rounding error was caught again at the same instant,
+/// for 15,000 steps, and counted as stopped: 254.24 and 255.59 m/s.
 #[test]
 fn valid_limits_with_a_rigid_stop_against_the_reference() {
     for (pairs, limit) in [
@@ -64,7 +64,7 @@ fn valid_limits_with_a_rigid_stop_against_the_reference() {
     }
 }
 
-/// The velocity at which the depth on a rigid mount is the thickness.
+/// Reference: velocity at which the depth on a rigid mount equals the thickness.
 #[test]
 fn valid_the_limit_by_protrusion_is_where_the_nose_reaches_the_rear_face() {
     let rigid = scene("mount=rigid criterion=protrusion");
@@ -79,7 +79,7 @@ fn valid_the_limit_by_protrusion_is_where_the_nose_reaches_the_rear_face() {
     assert!(found < 232.295_378);
 }
 
-/// A shot whose run ends undecided is stopped where it has no energy left to go through, and else neither stopped nor through.
+/// A shot whose run ends undecided is stopped if it has not enough energy to perforate; else it counts as neither stopped nor perforated.
 #[test]
 fn undecided_shots_are_not_counted_as_stopped() {
     let verdict = |pairs: &str| {
@@ -92,7 +92,8 @@ fn undecided_shots_are_not_counted_as_stopped() {
     assert_eq!(verdict(rattles), ShotOutcome::Stopped);
 }
 
-/// Shots at 107.5 to 111.59 m/s are arrested, at 111.6 m/s perforates; those of 105.45 to 107 m/s rattle on in their hole.
+/// Shots at 107.5 to 111.59 m/s are arrested, and the shot at 111.6 m/s perforates. Shots at 105.45 to 107 m/s oscillate in their hole
+/// until the horizon.
 #[test]
 fn undecided_shots_below_a_known_change_leave_the_limit_known() {
     let pairs = "gamma=6 k=1e6 h=0.003 interface=plastic";
@@ -109,7 +110,7 @@ fn undecided_shots_below_a_known_change_leave_the_limit_known() {
     assert_eq!(found("k=1e5").undecided(), None);
 }
 
-/// The plate of a damper goes the less far the nearer the shot is to the limit: 1e-6 below it the stroke was 1.3e-4 too long.
+/// The stroke of a damped plate is shorter the closer the shot is to the limit. At 1e-6 below it the stroke was 1.3e-4 too long.
 #[test]
 fn valid_the_stroke_at_the_limit_is_that_of_the_last_shot_that_is_stopped() {
     let report = found("b=500 k=1e5");
@@ -121,7 +122,7 @@ fn valid_the_stroke_at_the_limit_is_that_of_the_last_shot_that_is_stopped() {
     assert!((stroke_m / last.stroke_m().unwrap() - 1.0).abs() < 2e-7, "{stroke_m}");
 }
 
-/// Residual velocities at the limit. A free plate has half of the limit by its closed form; the others are from two independent
+/// Residual velocities at the limit. A free plate has half of the limit by its closed form. The other values are from two independent
 /// integrations at `v_bl (1 + 1e-9)`, one with fixed steps, one by Taylor series.
 #[test]
 fn valid_the_residual_velocity_at_the_limit_is_not_that_of_a_faster_shot() {
@@ -134,12 +135,12 @@ fn valid_the_residual_velocity_at_the_limit_is_not_that_of_a_faster_shot() {
         assert!((limit / limit_m_s - 1.0).abs() < 2e-6, "{pairs}: {limit}");
         assert!((residual - residual_m_s).abs() < 1e-2, "{pairs}: {residual}");
     }
-    // A plate that can yield throws the shot back.
+    // A plate that can yield makes the projectile rebound.
     let rebounds = found("k=1e5 interface=plastic");
     assert!(rebounds.residual_at_limit_m_s.is_none_or(|left| left < 0.0));
 }
 
-/// Random scenes inside the numerical envelope, and one whose shots are all slow. Few shots follow when the work is used up.
+/// Random scenes inside the numerical envelope, and one with slow shots only. Few shots follow once the budget is exhausted.
 #[test]
 fn a_limit_takes_a_bounded_amount_of_work() {
     let mut random = Random::new(55);

@@ -1,26 +1,26 @@
-//! Classes of measured limits: bias and scatter of the law, computed from a table, and the limit they let expect.
+//! Classes of measured limits: bias and scatter of the law, computed from a table, and the expected limit.
 
 use cmra_engine::model::run::envelope::thickness_ratio;
 use cmra_engine::model::scene::{Closure, ContactModel, Core, Criterion, Nose, Scene};
 use cmra_engine::numerics::larger;
 use cmra_engine::numerics::statistics::student_quantile;
 
-/// Range of densities, kg/m³, and of elastic moduli, Pa, that the classes of an alloy have measurements of.
+/// Ranges of density, kg/m³, and of elastic modulus, Pa, that the measurements of an alloy cover.
 const LIGHT: ([f64; 2], [f64; 2]) = ([2600.0, 2900.0], [65e9, 75e9]);
 const STEEL: ([f64; 2], [f64; 2]) = ([7700.0, 7900.0], [190e9, 210e9]);
-/// Angles, deg: classes of normal impact end below the first, those of oblique impact at the second.
+/// Angle limits, deg: classes of normal impact are below the first; classes of oblique impact end at the second.
 const OBLIQUE_DEG: [f64; 2] = [10.0, 30.0];
-/// A pointed core breaks on a plate of this yield strength, Pa, thinner than this h/D: the law is 40 to 50 % high.
+/// Yield strength, Pa, and h/D of a plate that breaks a pointed core: above the strength and below the ratio the law is 40 to 50 % high.
 const BREAKING: (f64, f64) = (1.25e9, 0.7);
-/// Part of the limits of a class that its band holds, on one side.
+/// Fraction of the limits of a class on one side of a band end.
 const ONE_SIDED: f64 = 0.95;
-/// A class needs as many papers, and for its own scatter as many rows and papers.
+/// Minimum number of papers of a class; also the minimum number of rows and papers for a scatter of its own.
 const PAPERS_LEAST: usize = 2;
 const OWN_SCATTER_FROM: (usize, usize) = (5, 3);
-/// Rounding of an h/D at the ends of a class.
+/// Relative rounding tolerance of h/D at the ends of a class.
 const ROUNDING: f64 = 1e-9;
 
-/// The alloy of a plate.
+/// Alloy of a plate, by density and elastic modulus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Alloy {
     /// 2600 to 2900 kg/m³, with an elastic modulus of 65e9 to 75e9 Pa.
@@ -43,7 +43,7 @@ pub struct Key {
 }
 
 impl Key {
-    /// The class of a scene's shot; `None` where the law is used in another way than for the measurements.
+    /// Returns the class of a scene's shot; `None` if the scene uses the law differently from the measurements.
     pub fn from_scene(scene: &Scene) -> Option<Self> {
         let (projectile, target) = (&scene.projectile, scene.target_in_effect());
         let is_rigid_plate = !scene.is_sprung() && !scene.is_stack();
@@ -62,7 +62,7 @@ impl Key {
         let breaks =
             is_pointed && target.yield_pa >= BREAKING.0 && thickness_ratio(scene) < BREAKING.1;
         let theta = projectile.obliquity_deg;
-        // The law of a plug is for normal impact.
+        // The plug law is for normal impact only.
         let most_deg = if is_pointed { OBLIQUE_DEG[1] } else { 0.0 };
         let is_known = projectile.core != Core::Deformable && theta <= most_deg;
         (is_rigid_plate && is_law && is_known && !breaks).then_some(Self {
@@ -73,7 +73,8 @@ impl Key {
         })
     }
 
-    /// In words: `steel core on light alloy, oblique`. A core is pointed; oblique is 10 to 30 deg, else the angle is below 10 deg.
+    /// Returns the class in words: `steel core on light alloy, oblique`. A core is pointed; oblique is 10 to 30 deg, else the angle is
+    /// below 10 deg.
     pub fn words(self) -> String {
         let angle = if self.is_oblique { ", oblique" } else { "" };
         let nose = match self.nose {
@@ -88,39 +89,39 @@ impl Key {
     }
 }
 
-/// A measured limit beside that of the law.
+/// Measured limit, with the error of the law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample {
     /// Class of the row.
     pub key: Key,
-    /// Publication.
+    /// Publication of the measurement.
     pub paper: String,
-    /// ln(law/measured).
+    /// Error ln(law/measured).
     pub error: f64,
-    /// h/D.
+    /// Plate thickness over projectile diameter, h/D.
     pub thickness: f64,
-    /// Angle, deg.
+    /// Impact angle, deg.
     pub angle_deg: f64,
 }
 
-/// A class with its statistics.
+/// Class of measurements with its statistics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Class {
     /// Common properties of the shots.
     pub key: Key,
-    /// Rows.
+    /// Number of rows.
     pub measurements: usize,
-    /// Papers.
+    /// Number of papers.
     pub papers: usize,
     /// Mean over the papers of each paper's mean of ln(law/measured).
     pub bias: f64,
-    /// Standard deviation of ln(law/measured) of a limit of an unseen paper.
+    /// Standard deviation of ln(law/measured) for a limit of an unseen paper.
     pub deviation: f64,
-    /// Student factor of the band that holds 90 % of the limits.
+    /// Student factor of the band that contains 90 % of the limits.
     pub student: f64,
-    /// Least and greatest h/D.
+    /// Minimum and maximum h/D.
     pub thickness: [f64; 2],
-    /// Least and greatest angle, deg.
+    /// Minimum and maximum angle, deg.
     pub angle_deg: [f64; 2],
 }
 
@@ -149,12 +150,12 @@ fn squares(values: &[f64]) -> f64 {
     values.iter().map(|value| (value - mean).powi(2)).sum()
 }
 
-/// The classes of samples, in the order in which they come up.
+/// Computes the classes of the samples, in the order of their first sample.
 ///
-/// The variance of a class is that within its papers plus that between papers. The latter is estimated from all classes with several
-/// papers, as the variance of their means: in the built-in table a deviation of 3.2 %, between those of an analysis of variance that gives
-/// each paper one weight, 2.6 %, and one that weights it by its rows, 3.4 %. A class of fewer than five rows or three papers has the
-/// variance within the papers of all classes.
+/// The variance of a class is the sum of the variances within its papers and between papers. The variance between papers is estimated from
+/// all classes with several papers, as the variance of their means. In the built-in table its standard deviation is 3.2 %; an analysis of
+/// variance gives 2.6 % with equal weights of the papers and 3.4 % with weights by rows. A class of fewer than five rows or three papers
+/// uses the variance within the papers of all classes.
 pub fn classes(samples: &[Sample]) -> Vec<Class> {
     let mut groups: Vec<(Key, Vec<Paper<'_>>)> = Vec::new();
     for sample in samples {
@@ -168,7 +169,7 @@ pub fn classes(samples: &[Sample]) -> Vec<Class> {
             None => papers.push(Paper { name: &sample.paper, errors: vec![sample.error] }),
         }
     }
-    // Sum of squares and degrees of freedom within papers, and between the means of the papers of a class.
+    // Sum of squares and degrees of freedom: within papers, and between the means of the papers of a class.
     let within = |papers: &[Paper<'_>]| {
         let rows: usize = papers.iter().map(|paper| paper.errors.len()).sum();
         (papers.iter().map(Paper::squares).sum::<f64>(), rows - papers.len())
@@ -209,10 +210,10 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, f64::NEG_INFINITY], ends)
 }
 
-/// The correction of a law's limit that measurements let expect.
+/// Correction of the law's limit, from measurements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expectation<'c> {
-    /// The class.
+    /// Class of measurements.
     pub class: &'c Class,
     /// Mean of ln(law/measured).
     pub bias: f64,
@@ -223,14 +224,14 @@ pub struct Expectation<'c> {
 }
 
 impl<'c> Expectation<'c> {
-    /// The expectation for a scene's shot by some classes; `None` where no class of two papers has its like. Classes are computed only
-    /// for a shot that may have one.
+    /// Returns the expectation for a scene's shot; `None` without a similar class of two or more papers. Calls `classes` only for a shot
+    /// that may have one.
     pub fn from_scene(scene: &Scene, classes: impl FnOnce() -> &'c [Class]) -> Option<Self> {
         let key = Key::from_scene(scene)?;
         Self::at(key, thickness_ratio(scene), scene.projectile.obliquity_deg, classes())
     }
 
-    /// The expectation for a shot of a class at h/D and an angle, deg.
+    /// Returns the expectation for a shot of a class at h/D and an angle, deg.
     pub fn at(key: Key, thickness: f64, angle_deg: f64, classes: &'c [Class]) -> Option<Self> {
         let class = |key: Key| {
             classes.iter().find(|class| class.key == key && class.papers >= PAPERS_LEAST)
@@ -261,7 +262,7 @@ impl<'c> Expectation<'c> {
         })
     }
 
-    /// The expected limit and the ends of its band, m/s, for a limit by the law.
+    /// Returns the lower end of the band, the expected limit and the upper end, m/s, for a limit by the law.
     pub fn band_m_s(&self, law_m_s: f64) -> [f64; 3] {
         let expected = law_m_s * (-self.bias).exp();
         [expected * (-self.half_width).exp(), expected, expected * self.half_width.exp()]

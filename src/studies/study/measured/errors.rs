@@ -11,7 +11,7 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::Settings;
 use cmra_engine::numerics::statistics::moments;
 
-/// Group of the rows that no class has.
+/// Group of the rows without a class.
 pub const WITHOUT_CLASS: &str = "no class: the law alone";
 
 /// A row of a table of measurements with the values computed for it.
@@ -19,14 +19,14 @@ pub const WITHOUT_CLASS: &str = "no class: the law alone";
 pub struct Row {
     /// The measurement.
     pub measurement: Measurement,
-    /// The computed values; in words, why there are none.
+    /// Computed values, or the reason why there are none.
     pub computed: Result<Computed, String>,
 }
 
-/// The values computed for a measured shot.
+/// Values computed for a measured shot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Computed {
-    /// Limit by the law, and the expected one.
+    /// Verdict with the limit by the law and the expected limit.
     pub verdict: Verdict,
     /// Depth, m; `None` if it was not measured or does not exist.
     pub depth_m: Option<f64>,
@@ -37,31 +37,31 @@ pub struct Computed {
 }
 
 impl Row {
-    /// The expected limit, else that of the law, over the measured one, less 1; `None` without either.
+    /// Returns the relative error of the expected limit, else of the law's limit; `None` without a computed and a measured limit.
     pub fn limit_error(&self) -> Option<f64> {
         let (found, measured) = self.limits()?;
         Some(found / measured - 1.0)
     }
 
-    /// The expected limit, else that of the law, and the measured one, m/s.
+    /// Returns the expected limit, else the law's limit, and the measured limit, m/s.
     fn limits(&self) -> Option<(f64, f64)> {
         let computed = self.computed.as_ref().ok()?;
         Some((computed.verdict.headline_m_s()?, self.measurement.measured.limit_m_s?))
     }
 
-    /// Whether the measured limit is inside the band; `None` without a band or a measured limit.
+    /// Returns `true` if the measured limit is inside the band; `None` without a band or a measured limit.
     pub fn is_inside(&self) -> Option<bool> {
         let measured = self.measurement.measured.limit_m_s?;
         let expected = self.computed.as_ref().ok()?.verdict.expected.as_ref()?;
         Some((expected.low_m_s..=expected.high_m_s).contains(&measured))
     }
 
-    /// The verdict; `None` for a row that cannot be computed.
+    /// Returns the verdict; `None` for a row that cannot be computed.
     pub fn verdict(&self) -> Option<&Verdict> {
         self.computed.as_ref().ok().map(|computed| &computed.verdict)
     }
 
-    /// The class in words, or that there is none.
+    /// Returns the class in words, or [`WITHOUT_CLASS`].
     pub fn group(&self) -> &str {
         let expected = self.verdict().and_then(|verdict| verdict.expected.as_ref());
         expected.map_or(WITHOUT_CLASS, |expected| &expected.class)
@@ -81,7 +81,7 @@ impl Row {
     }
 }
 
-/// Computes a measurement by the classes of the built-in table.
+/// Computes the values for a measurement with the classes of the built-in table.
 fn computed(measurement: &Measurement) -> Result<Computed, String> {
     let scene = measurement.scene.as_ref().map_err(String::clone)?;
     let Measured { limit_m_s, depth_m, residual_velocity_m_s, outputs, .. } = measurement.measured;
@@ -114,7 +114,7 @@ fn computed(measurement: &Measurement) -> Result<Computed, String> {
     Ok(computed)
 }
 
-/// Computes every measurement; fewer when stopped.
+/// Computes all measurements; fewer if cancelled.
 pub fn evaluate(measurements: &[Measurement], context: &mut Context<'_>) -> Vec<Row> {
     context.expect(measurements.len());
     let row = |measurement: &Measurement| {
@@ -123,7 +123,7 @@ pub fn evaluate(measurements: &[Measurement], context: &mut Context<'_>) -> Vec<
     context.map_items(measurements, row, |context, _| context.should_continue())
 }
 
-/// The classes of the built-in measurements.
+/// Returns the classes of the built-in measurements.
 pub(super) fn classes_of(measurements: &[Measurement]) -> Vec<Class> {
     let sample = |measurement: &Measurement| {
         let row = by_law(measurement)?;
@@ -132,7 +132,7 @@ pub(super) fn classes_of(measurements: &[Measurement]) -> Vec<Class> {
     classes(&measurements.iter().filter_map(sample).collect::<Vec<_>>())
 }
 
-/// A row with the law's limit in closed form, and no class.
+/// Computes a row with the law's limit in closed form and without a class; `None` without a closed form.
 fn by_law(measurement: &Measurement) -> Option<Row> {
     let law = limit::closed_form(measurement.scene.as_ref().ok()?);
     let verdict = |scene: &Scene| Verdict::by_classes(scene, law, || &[]);
@@ -145,7 +145,7 @@ fn by_law(measurement: &Measurement) -> Option<Row> {
     Some(Row { computed: computed.map_err(String::clone), measurement: measurement.clone() })
 }
 
-/// The measurements, each with the limit that the classes of all other papers let expect: the error for an unseen paper.
+/// Computes each measurement with the limit expected from all other papers. The result is the error for an unseen paper.
 pub fn leave_out(measurements: &[Measurement]) -> Vec<Row> {
     let mut rows: Vec<Row> = measurements.iter().filter_map(by_law).collect();
     let samples: Vec<Option<Sample>> = rows.iter().map(Row::sample).collect();
@@ -166,14 +166,14 @@ pub fn leave_out(measurements: &[Measurement]) -> Vec<Row> {
     rows
 }
 
-/// Errors of some rows.
+/// Error statistics of a group of rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Errors {
-    /// The class in words; `None` for all rows.
+    /// Class in words; `None` for all rows.
     pub group: Option<String>,
-    /// Rows with a computed and a measured limit.
+    /// Number of rows with a computed and a measured limit.
     pub rows: usize,
-    /// Papers they are from.
+    /// Number of papers.
     pub papers: usize,
     /// Mean of computed over measured, less 1.
     pub bias: f64,
@@ -181,16 +181,16 @@ pub struct Errors {
     pub deviation: Option<f64>,
     /// Mean absolute error, m/s.
     pub mean_absolute_m_s: f64,
-    /// Root of the mean square error, m/s.
+    /// RMS error, m/s.
     pub rms_m_s: f64,
-    /// Rows with a band.
+    /// Number of rows with a band.
     pub banded: usize,
-    /// Rows inside their band.
+    /// Number of rows inside their band.
     pub inside: usize,
 }
 
 impl Errors {
-    /// The errors of rows; `None` without any measured limit that is computed.
+    /// Computes the errors of rows; `None` if no row has a computed and a measured limit.
     fn new<'r>(group: Option<&str>, rows: impl Iterator<Item = &'r Row>) -> Option<Self> {
         let rows: Vec<&Row> = rows.filter(|row| row.limits().is_some()).collect();
         let limits: Vec<(f64, f64)> = rows.iter().filter_map(|row| row.limits()).collect();
@@ -218,13 +218,13 @@ impl Errors {
         })
     }
 
-    /// Fraction of the rows with a band that are inside it; `None` without a band.
+    /// Returns the fraction of the rows with a band that are inside it; `None` without a band.
     pub fn share_inside(&self) -> Option<f64> {
         (self.banded > 0).then(|| self.inside as f64 / self.banded as f64)
     }
 }
 
-/// The errors by class, the largest class first, then of the rows without one; last of all rows.
+/// Computes the errors by class, the largest class first, then for the rows without a class, and last for all rows.
 pub fn errors(rows: &[Row]) -> Vec<Errors> {
     let mut groups: Vec<&str> = rows.iter().map(Row::group).collect();
     groups.sort_unstable();

@@ -1,4 +1,4 @@
-//! Measurements as a CSV table: one shot a row, its inputs as `--set` takes them, and what was measured.
+//! Measurements as a CSV table. Each row is a shot: its inputs as for `--set`, and the measured quantities.
 
 use crate::study::csv::Csv;
 use cmra_engine::model::library::{Entry, Library};
@@ -6,10 +6,10 @@ use cmra_engine::model::scene::{Closure, Core, Mount, Scene};
 use cmra_engine::model::units::{self, Bare, Dimension};
 use cmra_engine::model::variables::{self, Kind, Value, Variable};
 
-/// Returns the entry of a library by its name; in words, why there is none.
+/// Function that returns a library entry by name, or the reason why there is none.
 pub type FindEntry<'a> = &'a dyn Fn(Library, &str) -> Result<Entry, String>;
 
-/// Inputs that every row gives: by itself, or by the entry of a library.
+/// Inputs required in every row, given directly or by a library entry.
 const REQUIRED: [&str; 4] = ["projectile.mass_kg", RADIUS, THICKNESS, "target.density_kg_m3"];
 const RADIUS: &str = "projectile.tip_radius_m";
 const THICKNESS: &str = "target.thickness_m";
@@ -22,7 +22,7 @@ const VELOCITY: &str = "projectile.velocity_m_s";
 const NOSE: &str = "projectile.nose";
 const CORE: &str = "projectile.core";
 
-/// Words that tables of measurements have for noses and cores: the variable, the word, and the choice that it means.
+/// Synonyms for noses and cores in tables of measurements: the variable, the word, and its choice.
 const SYNONYMS: [(&str, &str, &str); 9] = [
     (NOSE, "ogive", "pointed"),
     (NOSE, "conical", "pointed"),
@@ -34,10 +34,10 @@ const SYNONYMS: [(&str, &str, &str); 9] = [
     (CORE, "rod", "deformable"),
     (CORE, "deforming", "deformable"),
 ];
-/// Projectiles among them that deform, whatever their core.
+/// Synonyms of projectiles that deform, whatever their core.
 const DEFORM: [&str; 2] = ["ball", "rod"];
 
-/// Measured quantities of a shot; `None` for those that were not measured.
+/// Measured quantities of a shot; `None` if not measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measured {
     /// Ballistic limit V50, m/s.
@@ -48,11 +48,11 @@ pub struct Measured {
     pub depth_m: Option<f64>,
     /// Projectile velocity after perforation, m/s.
     pub residual_velocity_m_s: Option<f64>,
-    /// Quantities of a plate that moves, in the order of [`OUTPUTS`], SI.
+    /// Quantities of a moving plate, in the order of [`OUTPUTS`], SI.
     pub outputs: [Option<f64>; OUTPUTS.len()],
 }
 
-/// Measured quantities of a plate that moves: the name of each, which is that of the result, and the key of its measurement in files.
+/// Measured quantities of a moving plate: the name of the result, and the key of its measurement in files.
 pub const OUTPUTS: [(&str, &str); 6] = [
     ("first_arrest_plate_velocity_m_s", "measured_first_arrest_plate_velocity_m_s"),
     ("plate_velocity_after_m_s", "measured_plate_velocity_after_m_s"),
@@ -63,14 +63,14 @@ pub const OUTPUTS: [(&str, &str); 6] = [
 ];
 
 impl Measured {
-    /// Whether anything but the limit was measured, which a run of the shot gives.
+    /// Returns `true` if a quantity other than the limit was measured. Such quantities need a run.
     pub fn needs_run(&self) -> bool {
         let besides = self.depth_m.or(self.residual_velocity_m_s);
         besides.is_some() || self.outputs.iter().any(Option::is_some)
     }
 }
 
-/// A measured quantity: its heading, its dimension, and its place in [`Measured`].
+/// Column of a measured quantity: its heading, its dimension, and its field of [`Measured`].
 type MeasuredColumn = (&'static str, Dimension, fn(&mut Measured) -> &mut Option<f64>);
 
 const MEASURED: [MeasuredColumn; 4 + OUTPUTS.len()] = [
@@ -86,25 +86,25 @@ const MEASURED: [MeasuredColumn; 4 + OUTPUTS.len()] = [
     (OUTPUTS[5].0, Dimension::Force, |it| &mut it.outputs[5]),
 ];
 
-/// Headings that are neither variables nor measured quantities.
+/// Headings without a variable or a measured quantity.
 const OTHERS: [&str; 4] = ["threat", "material", "source", "note"];
 
-/// A row of a table of measurements.
+/// Row of a table of measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurement {
-    /// Line of the file, from 1.
+    /// Line of the file, starting at 1.
     pub line: u64,
-    /// The shot; in words, why it cannot be computed.
+    /// Scene of the shot, or the reason why it cannot be computed.
     pub scene: Result<Scene, String>,
-    /// The measured quantities.
+    /// Measured quantities.
     pub measured: Measured,
     /// Publication or laboratory; may be empty.
     pub source: String,
-    /// Remark, for example projectile and target; may be empty.
+    /// Remark, such as projectile and target; may be empty.
     pub note: String,
 }
 
-/// A column, by its heading.
+/// Column of the table, identified by its heading.
 #[derive(Clone, Copy)]
 enum Column {
     Variable(&'static Variable),
@@ -114,7 +114,7 @@ enum Column {
     Note,
 }
 
-/// A heading: its column, the name before the unit, and the unit.
+/// Heading: its column, the name before the unit, and the unit.
 struct Heading {
     column: Column,
     text: String,
@@ -122,13 +122,10 @@ struct Heading {
     unit: Option<String>,
 }
 
-/// Reads a table of measurements.
-///
-/// Rows that cannot be computed keep their place, with the reason.
+/// Reads measured limits from a CSV table. A row that cannot be computed is kept, with the reason.
 ///
 /// # Errors
-/// Reads measured limits from CSV. The error is one line with the remedy for an unknown column, a column given twice, or units both in a
-/// heading and in its cells.
+/// Returns one line with the remedy for an unknown column, a column given twice, or units both in a heading and in its cells.
 pub fn read(text: &str, find: FindEntry<'_>) -> Result<Vec<Measurement>, String> {
     let csv = Csv::read(text)?;
     let Some((line, headings)) = &csv.headings else {
@@ -175,7 +172,7 @@ impl Heading {
         })
     }
 
-    /// Dimension of the numbers below it; `None` for words.
+    /// Returns the dimension of the numbers in the column; `None` for words.
     fn dimension(&self) -> Option<Dimension> {
         match self.column {
             Column::Variable(variable) => variable.number().map(|number| number.quantity),
@@ -184,7 +181,7 @@ impl Heading {
         }
     }
 
-    /// Unit of a number without one, in the headings' unit or in its name.
+    /// Returns the unit of numbers without one: from the heading, or from the name.
     fn bare(&self) -> Bare<'_> {
         match self.column {
             Column::Variable(variable) => variable.bare(&self.name),
@@ -192,7 +189,7 @@ impl Heading {
         }
     }
 
-    /// The number in a cell, in the stored unit.
+    /// Parses the number of a cell, in the stored unit.
     fn number(&self, cell: &str, quantity: Dimension) -> Result<f64, String> {
         let parsed = match &self.unit {
             Some(unit) => units::parse(&format!("{cell} {unit}"), quantity, Bare::Stored),
@@ -202,7 +199,7 @@ impl Heading {
     }
 }
 
-/// A heading's name, and its unit in brackets.
+/// Splits a heading into its name and its unit in brackets.
 fn split(heading: &str) -> (&str, Option<&str>) {
     let unit = |(open, close)| {
         let (name, unit) = heading.strip_suffix(close)?.rsplit_once(open)?;
@@ -240,7 +237,7 @@ fn column(name: &str) -> Result<Column, String> {
     })
 }
 
-/// Refuses two columns of one quantity: two units of one input, for example.
+/// Rejects two columns of the same quantity, such as two units of an input.
 fn refuse_twice(headings: &[Heading]) -> Result<(), String> {
     let key = |heading: &Heading| match heading.column {
         Column::Variable(variable) => variable.key.to_owned(),
@@ -264,7 +261,7 @@ struct Table<'t> {
 }
 
 impl Table<'_> {
-    /// Refuses a column of which some numbers have a unit of their own, and others that of the heading or none.
+    /// Rejects a column in which some numbers have their own unit and others use the heading's unit or none.
     fn refuse_mixed_units(&self) -> Result<(), String> {
         for (at, heading) in self.headings.iter().enumerate() {
             let mut bare: Option<&str> = None;
@@ -306,7 +303,7 @@ impl Table<'_> {
         let mut scene = given.as_ref().map_err(String::clone).and_then(|it| self.scene(row, it));
         for (heading, cell) in self.cells(row) {
             let Column::Measured((name, quantity, place)) = heading.column else { continue };
-            // A plate may move either way.
+            // A plate may move in either direction.
             let is_signed =
                 quantity == Dimension::Velocity && OUTPUTS.iter().any(|it| it.0 == name);
             match heading.number(&self.csv.with_points(cell), quantity) {
@@ -339,13 +336,13 @@ impl Table<'_> {
         }
     }
 
-    /// The cells that are not blank, with their headings.
+    /// Returns the non-blank cells with their headings.
     fn cells<'r>(&'r self, row: &'r [String]) -> impl Iterator<Item = (&'r Heading, &'r str)> {
         let cells = self.headings.iter().zip(row.iter().map(String::as_str));
         cells.filter(|(_, cell)| !cell.is_empty())
     }
 
-    /// The inputs that a row gives, by itself and by the entries that it names.
+    /// Returns the inputs given by a row, directly and by the library entries that it names.
     fn given(&self, row: &[String]) -> Result<Given, String> {
         if row.len() > self.headings.len() {
             let (values, columns) = (row.len(), self.headings.len());
@@ -362,7 +359,7 @@ impl Table<'_> {
         Ok(given)
     }
 
-    /// The shot of a row: a rigid mount and cylindrical cavity expansion, but for what the row says.
+    /// Builds the scene of a row. Defaults are a rigid mount and cylindrical cavity expansion.
     fn scene(&self, row: &[String], given: &Given) -> Result<Scene, String> {
         let mut scene = Scene::default();
         scene.plate.mount = Mount::Rigid;
@@ -393,15 +390,15 @@ impl Table<'_> {
     }
 }
 
-/// The choice of a variable that a word means.
+/// Returns the choice of a variable for a word of the table.
 fn choice<'c>(key: &str, cell: &'c str) -> &'c str {
     let known = SYNONYMS.iter().find(|it| it.0 == key && it.1 == cell);
     known.map_or(cell, |it| it.2)
 }
 
-/// The inputs that a row gives.
+/// Inputs given by a row.
 struct Given {
-    /// Entries of the libraries.
+    /// Library entries named in the row.
     entries: Vec<Entry>,
     /// Keys of the variables with a value in the row.
     keys: Vec<&'static str>,
@@ -413,7 +410,7 @@ impl Given {
         self.keys.contains(&key) || self.entries.iter().any(by_entry)
     }
 
-    /// Chooses what follows from these inputs; refuses a row without the inputs that it needs.
+    /// Sets the values that follow from these inputs; rejects a row without its required inputs.
     fn complete(&self, scene: &mut Scene) -> Result<(), String> {
         let gives = |key: &str| self.gives(key);
         if !gives(CLOSURE) && gives(STRENGTH) && !gives(YIELD) {
@@ -424,7 +421,7 @@ impl Given {
             Closure::DoubleYield => &[YIELD],
             _ => &[YIELD, MODULUS],
         };
-        // A model of the contact that knows no penetration needs no plate material and no nose.
+        // A contact model without penetration needs no plate material and no nose.
         let uses = |key: &str| variables::find(key).is_ok_and(|it| variables::is_used(it, scene));
         let is_needed = |key: &str| uses(if key == RADIUS { THICKNESS } else { key });
         let required = REQUIRED.iter().chain(strength).filter(|key| !gives(key) && is_needed(key));

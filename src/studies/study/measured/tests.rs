@@ -1,4 +1,4 @@
-//! Classes and errors against an independent computation; tables that are read and refused.
+//! Classes and errors against an independent computation; tables that are accepted and rejected.
 
 use super::*;
 use crate::study::context::Context;
@@ -16,7 +16,7 @@ fn scene(pairs: &str) -> Scene {
     changed(Scene::default(), &format!("mount=rigid closure=cylindrical {pairs}")).unwrap()
 }
 
-/// The core of a 7.62 mm APM2 bullet on a plate.
+/// Returns a scene with the core of a 7.62 mm APM2 bullet and a plate.
 fn core(pairs: &str) -> Scene {
     scene(&format!("nose=pointed m_p=5.3g R=3.1242mm {pairs}"))
 }
@@ -34,7 +34,7 @@ fn every_row_of_the_built_in_table_can_be_computed() {
     }
 }
 
-/// Independent: law, hardening, integral and statistics in Python with `SciPy` (Brent, QUADPACK, `stats.t`), from the same file.
+/// Independent reference: law, hardening, integral and statistics in Python with `SciPy` (Brent, QUADPACK, `stats.t`), from the same file.
 #[test]
 fn valid_classes_of_the_built_in_table() {
     let expected = [
@@ -86,7 +86,7 @@ fn valid_classes_of_the_built_in_table() {
     }
 }
 
-/// Leave-one-paper-out errors by the same independent Python program. Rods and balls deform: without them the error is 33.27 m/s.
+/// Leave-one-paper-out errors by the same independent Python program. Rods and balls deform; without them the error is 33.27 m/s.
 #[test]
 fn valid_errors_of_papers_left_out() {
     let rows = leave_out(built_in());
@@ -104,7 +104,7 @@ fn valid_errors_of_papers_left_out() {
     let rigid = errors(&rigid).pop().unwrap();
     near(rigid.mean_absolute_m_s, 33.270_424_574, 1e-8);
     near(rigid.rms_m_s, 46.495_167_007, 1e-8);
-    // Those with a band.
+    // Rows with a band.
     let banded: Vec<Row> = rows.into_iter().filter(|row| row.is_inside().is_some()).collect();
     let banded = errors(&banded).pop().unwrap();
     near(banded.mean_absolute_m_s, 30.481_745_643, 1e-8);
@@ -112,8 +112,8 @@ fn valid_errors_of_papers_left_out() {
     near(banded.deviation.unwrap(), 0.049_536_855_143, 1e-8);
 }
 
-/// Two classes by hand. Errors 0.1, 0.3 of one paper and 0.4 of another: means 0.2 and 0.4, b = 0.3, squares between 0.02. Errors 0, 0.2
-/// of one paper: within papers 0.02 + 0.02 over 2 degrees of freedom, between papers 0.02 over 1.
+/// Two classes by hand. First: errors 0.1, 0.3 of one paper and 0.4 of another; means 0.2 and 0.4, bias 0.3, sum of squares between papers
+/// 0.02. Second: errors 0, 0.2 of one paper. Within papers: 0.02 + 0.02 over 2 degrees of freedom; between papers: 0.02 over 1.
 #[test]
 fn variances_are_within_papers_and_between_them() {
     let key = Key::from_scene(&core(&format!("h=25.4mm {AA6061}"))).unwrap();
@@ -144,7 +144,7 @@ fn variances_are_within_papers_and_between_them() {
     near(expected, 500.0 * (-0.3f64).exp(), 1e-14);
     near(low * high, expected * expected, 1e-14);
     near(high / expected, (2.919_985_580_4 * 0.2f64).exp(), 1e-9);
-    // One paper is no class, and neither is another thickness.
+    // A single paper is not a class, and neither is another thickness.
     assert_eq!(at(steel), None);
     assert_eq!(Expectation::at(key, 2.1, 0.0, &classes), None);
 }
@@ -208,7 +208,7 @@ fn a_class_applies_only_where_its_law_and_its_rows_do() {
         let found = verdict(pairs);
         assert_eq!((found.decision, found.expected), (Decision::NotMeasured, None), "{pairs}");
     }
-    // A core breaks on a thin hard plate: h/D 0.69 is not measured, 0.73 is.
+    // A thin hard plate breaks the core: h/D 0.69 is not measured, 0.73 is.
     let hard = |h: f64, y: f64| {
         let pairs = format!("theta=30deg h={h}mm rho=7850 E=207GPa Y={y}MPa UTS=1600MPa");
         let mut scene = core(&pairs);
@@ -225,12 +225,12 @@ fn read_one(text: &str) -> Result<Vec<Measurement>, String> {
 
 const HEAD: &str = "nose,core,R [mm],m_p [g],h [mm],rho [kg/m3],E [GPa],Y [MPa],UTS [MPa],theta [deg],mount,closure,C_d,limit_m_s,source";
 
-/// 581.574 m/s is the independent limit of this shot.
+/// Independent limit of this shot: 581.574 m/s.
 #[test]
 fn rows_are_read_with_the_units_of_their_headings() {
     for text in [
         format!("{HEAD}\npointed,steel,3.1242,5.3,25.4,2700,68.3,276,310,0,rigid,cylindrical,0.212,580,mine\n"),
-        // Blank cells are not given, and have the values that follow from nose and closure.
+        // Blank cells are not given; they take the values that follow from nose and closure.
         format!("{HEAD}\npointed,,3.1242,5.3,25.4,2700,68.3,276,310,,,,,580,mine\n"),
         format!("{}\npointed;;3,1242;5,3;25,4;2700;68,3;276;310;;;;;580;mine\n", HEAD.replace(',', ";")),
         "R,m_p,h (in),rho,E,Y,UTS,nose,limit_m_s,source\n0.0031242,5.3g,1,2700,68.3GPa,276e6,310MPa,pointed,580,mine\n".to_owned(),
@@ -245,7 +245,7 @@ fn rows_are_read_with_the_units_of_their_headings() {
     }
 }
 
-/// Tables of measurements name bullets and rods: they deform, so that no class has them.
+/// Tables of measurements name bullets and rods. These deform, so they have no class.
 #[test]
 fn words_of_other_tables_are_understood() {
     let rest = "3.1242,5.3,25.4,2700,68.3,276,310,0,rigid,cylindrical,,580,mine";

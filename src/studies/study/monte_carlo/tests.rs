@@ -1,4 +1,4 @@
-//! Scatter whose answer is known: quantiles through a monotone closed form, moments of the distributions, proportions.
+//! Scatter with a known solution: quantiles through a monotone closed form, moments of the distributions, proportions.
 
 use std::f64::consts::PI;
 
@@ -16,8 +16,8 @@ fn sampled(scene: &Scene, task: &Request) -> MonteCarloReport {
     run(scene, task, &mut Context::new(2, &mut never_cancel)).unwrap()
 }
 
-/// Depth p <= R of a rigid mount is a rising function of velocity: V(p) = m/(2c) ln(1 + c v²/S); so its quantiles are those of
-/// the velocity, put through it.
+/// Depth p <= R on a rigid mount is an increasing function of velocity: V(p) = m/(2c) ln(1 + c v²/S). Its quantiles follow from those of
+/// the velocity.
 #[test]
 fn valid_quantiles_through_a_monotone_closed_form() {
     let mut scene = rigid();
@@ -34,7 +34,7 @@ fn valid_quantiles_through_a_monotone_closed_form() {
         let depth = depth_of(&scene, volume);
         let found = summary.quantile(share).unwrap();
         assert!(found.low_95 < found.value && found.value < found.high_95);
-        // Twice the interval: 95 % of them hold the exact value.
+        // Check with twice the interval; 95 % of the intervals contain the exact value.
         let width = found.high_95 - found.low_95;
         assert!((found.value - depth).abs() < width, "{share}: {found:?} {depth}");
         assert!(width < 0.02 * depth);
@@ -44,7 +44,7 @@ fn valid_quantiles_through_a_monotone_closed_form() {
     assert!(value == 0.0 && low_95 == 0.0 && (1e-4..3e-4).contains(&high_95), "{high_95}");
 }
 
-/// The depth below which a hemisphere has swept a volume under dishing, by bisection.
+/// Depth at which a hemisphere has swept a volume under dishing, by bisection.
 fn depth_of(scene: &Scene, volume: f64) -> f64 {
     let (r, h) = (scene.projectile.tip_radius_m, scene.target.thickness_m);
     let swept = |p: f64| (h + 2.0 * r) / h * PI * (r * p * p - p.powi(3) / 3.0);
@@ -71,7 +71,7 @@ fn valid_moments_of_the_distributions() {
     };
     near(moments(Distribution(Kind::Normal, (3.0, 0.5))), (3.0, 0.5));
     near(moments(Distribution(Kind::Uniform, (1.0, 4.0))), (2.5, 3.0 / 12f64.sqrt()));
-    // exp(sigma²/2), and that times sqrt(exp(sigma²) - 1).
+    // Mean exp(sigma²/2); standard deviation: the mean times sqrt(exp(sigma²) - 1).
     let (mean, s2) = (0.02f64.exp(), 0.04f64);
     near(moments(Distribution(Kind::LogNormal, (1.0, 0.2))), (mean, mean * s2.exp_m1().sqrt()));
 }
@@ -81,7 +81,8 @@ fn what_is_impossible_is_drawn_again_and_counted() {
     let thick = Distribution(Kind::Normal, (0.0254, 0.0254));
     let thickness = Tolerance::new("h", thick).unwrap();
     let report = sampled(&rigid(), &task(vec![thickness], &["percent_of_baseline"], 2000));
-    // A normal one deviation above zero is negative in 15.87 %, so 0.1886 a sample are drawn again.
+    // A normal variable with its mean one deviation above zero is negative in 15.87 % of draws, so there are 0.1886 repeated draws per
+    // sample.
     let share = report.redrawn[0] as f64 / 2000.0;
     assert!((share - 0.1886).abs() < 0.04, "{share}");
     assert_eq!(report.samples, 2000);
@@ -117,8 +118,8 @@ fn tolerances_are_read_as_people_write_them() {
     }
 }
 
-/// To first order the squares of the sensitivities of the closed form add up, and the model's own spread with them; a bias of 25 % is
-/// a factor on V50. The bare limit stands beside it.
+/// To first order, the squared sensitivities of the closed form add to the squared spread of the model. A bias of 25 % is a factor on V50.
+/// The limit without model error is reported too.
 #[test]
 fn valid_scatter_of_a_limit_is_that_of_its_inputs_and_of_the_model() {
     let mut scene = rigid();
@@ -128,7 +129,7 @@ fn valid_scatter_of_a_limit_is_that_of_its_inputs_and_of_the_model() {
     let v50 = Request { vary, model_bias, model_spread, samples: Some(400), ..Request::v50() };
     let report = sampled(&scene, &v50);
     assert_eq!(report, sampled(&scene, &v50), "the same seed gives the same digits");
-    // d ln v/d ln x by differences.
+    // Derivatives d ln v/d ln x by finite differences.
     let sensitivity = |changed: &dyn Fn(&mut Scene, f64)| {
         let at = |factor: f64| {
             let mut own = scene.clone();
@@ -156,8 +157,8 @@ fn valid_scatter_of_a_limit_is_that_of_its_inputs_and_of_the_model() {
         let found = summary.deviation.unwrap() / median;
         assert!((found / spread - 1.0).abs() < 0.15, "{found} {spread}");
     }
-    // The law's number is 1.25 times the median of the limits: a shot at it perforates with the normal probability of ln 1.25 over the
-    // scatter, to which v_i adds. Three standard errors of 400 samples are 0.02.
+    // The law's limit is 1.25 times the median of the limits. A shot at that velocity perforates with the normal probability of ln 1.25
+    // over the scatter, to which `v_i` adds. Three standard errors for 400 samples are 0.02.
     let z = 1.25_f64.ln() / inputs.hypot(0.08).hypot(0.03);
     let density = |at: f64| (-0.5 * at * at).exp() / std::f64::consts::TAU.sqrt();
     let below = (0..1000).map(|i| density(z * (f64::from(i) + 0.5) / 1000.0)).sum::<f64>();

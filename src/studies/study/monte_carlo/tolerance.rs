@@ -1,4 +1,4 @@
-//! A scattered input: its distribution, and its notation.
+//! Scattered inputs: distribution and notation.
 
 use std::fmt;
 
@@ -7,20 +7,20 @@ use crate::study::sweep::axis::{ends, numeric};
 use cmra_engine::model::units::{self, Bare, significant};
 
 enumeration! {
-    /// How the values of an input are spread, which says what its two numbers are.
+    /// Distribution family of an input; determines the meaning of its two parameters.
     pub enum Kind in KindRow {
-        /// The word on the command line and in files.
+        /// Keyword on the command line and in files.
         word: &'static str,
     }
     /// Normal: mean, and standard deviation > 0.
     Normal { word: "normal" }
-    /// The logarithm is normal: median > 0, and standard deviation of the logarithm > 0.
+    /// Lognormal: median > 0, and standard deviation of the logarithm > 0.
     LogNormal { word: "lognormal" }
-    /// As likely everywhere between its ends, the lower one first.
+    /// Uniform between its ends, lower end first.
     Uniform { word: "uniform" }
 }
 
-/// How an input scatters: a kind and its two numbers, in the stored unit.
+/// Distribution of an input: the family and its two parameters, in the stored unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distribution(pub Kind, pub (f64, f64));
 
@@ -35,13 +35,13 @@ impl Distribution {
     }
 }
 
-/// An input and how it scatters.
+/// Scattered input with its distribution.
 #[derive(Clone, Copy)]
 pub struct Tolerance {
-    /// Variable that is scattered.
+    /// Scattered variable.
     pub variable: &'static Variable,
     pub(in crate::study) number: &'static Number,
-    /// How.
+    /// Distribution of the variable.
     pub distribution: Distribution,
 }
 
@@ -51,7 +51,7 @@ impl fmt::Debug for Tolerance {
     }
 }
 
-/// As `--vary` has it, with numbers in the stored unit: `v_i=lognormal:2%`, `h=uniform:0.024..0.027`.
+/// Writes the notation of `--vary`, with numbers in the stored unit: `v_i=lognormal:2%`, `h=uniform:0.024..0.027`.
 impl fmt::Display for Tolerance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let unit = if self.variable.unit() == "deg" { "deg" } else { "" };
@@ -73,13 +73,13 @@ impl PartialEq for Tolerance {
 }
 
 impl Tolerance {
-    /// An input by its name.
+    /// Creates a tolerance of the named input.
     pub fn new(name: &str, distribution: Distribution) -> Result<Self, StudyError> {
         let (variable, number) = numeric(name)?;
         Ok(Self { variable, number, distribution })
     }
 
-    /// Read `normal:2%`, `normal:0.5mm` and `lognormal:5%`, about the scene's own value, or `uniform:24mm..27mm`.
+    /// Parses `normal:2%`, `normal:0.5mm` and `lognormal:5%`, centred on the scene's own value, or `uniform:24mm..27mm`.
     pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
         let (variable, number) = numeric(name).map_err(|error| error.to_string())?;
         let symbol = variable.symbol;
@@ -119,13 +119,13 @@ impl Tolerance {
         Ok(Self { variable, number, distribution })
     }
 
-    /// The variable's symbol.
+    /// Returns the symbol of the variable.
     pub fn symbol(&self) -> &'static str {
         self.variable.symbol
     }
 
-    /// An axis for the evaluation alone: its ends are the scene's own value and the nearest allowed one, since the samples are
-    /// listed and each is checked by itself.
+    /// Returns an axis for the evaluation only. Its ends are the scene's own value and the nearest allowed one; the samples are listed and
+    /// checked individually.
     pub(super) fn axis(&self, scene: &Scene) -> Result<Axis, StudyError> {
         let Distribution(_, (first, second)) = self.distribution;
         let own = (self.number.get)(scene).unwrap_or(0.5 * (first + second));
@@ -135,7 +135,7 @@ impl Tolerance {
     }
 }
 
-/// A deviation: a part of the scene's own value, or a value with a unit.
+/// Parses a deviation: a fraction of the scene's own value, or a value with a unit.
 fn width(text: &str, number: &Number, nominal: f64) -> Result<f64, String> {
     let text = text.trim();
     let (value, quantity, whole) = match text.strip_suffix('%') {

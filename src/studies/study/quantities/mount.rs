@@ -1,4 +1,4 @@
-//! The quantities of the mount, from where the plate starts and turns: the force into it, and the masses of spring and plate.
+//! Quantities of the mount, from the initial and turning positions of the plate: mount force, and masses of spring and plate.
 
 use crate::study::load::{self, spring_energy_j};
 use cmra_engine::model::mechanism::{Inertia, Mechanism};
@@ -6,39 +6,39 @@ use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::larger;
 
-/// The least mass of a spring for the greatest energy that it stores, kg; `None` where that is not known.
+/// Returns the minimum mass of a spring for its maximum stored energy, kg; `None` if unknown.
 pub(super) fn min_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     scene.mechanism.min_spring_kg(spring_energy_j(scene, scene.start_m(), max_displacement_m))
 }
 
-/// The greatest displacement of a run whose shot is stopped, m: one that perforates does not size the springs.
+/// Returns the maximum plate displacement of a run with a stopped shot, m. A perforation does not size the springs.
 pub(super) fn stopped_displacement_m(run: &Run) -> Option<f64> {
     run.max_plate_displacement_m.filter(|_| run.outcome != Outcome::Perforated)
 }
 
-/// The springs' own mass where it is known, else the least, kg.
+/// Returns the given mass of the springs, else their minimum mass, kg.
 fn spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     Inertia::from_scene(scene).spring_kg(min_spring_kg(scene, max_displacement_m))
 }
 
-/// Plate and springs, kg.
+/// Returns the mass of plate and springs, kg.
 pub(super) fn system_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     Some(scene.plate_mass_kg() + spring_kg(scene, max_displacement_m)?)
 }
 
-/// Plate and springs over the plate's face, kg/m².
+/// Returns the mass of plate and springs over the face of the plate, kg/m².
 pub(super) fn areal_kg_m2(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
     Some(plate_kg_m2 * (1.0 + spring_kg(scene, max_displacement_m)? / scene.plate_mass_kg()))
 }
 
-/// The greatest force into the mount of a run that ended before the plate's greatest displacement.
+/// Returns the maximum mount force of a run that ended before the maximum plate displacement, a lower bound.
 pub(super) fn min_peak_n(run: &Run) -> Option<f64> {
     run.at_least.plate_displacement_m.and_then(|_| load::peak_so_far_n(run))
 }
 
-/// Whether the greatest force into the mount follows from where the plate starts and turns: of a power law, which is odd, without
-/// stop, damper and anything that turns.
+/// Returns `true` if the maximum mount force follows from the initial and turning positions: for an odd power law without stop, damper and
+/// rotating parts.
 pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
     let mechanism = Mechanism::from_scene(scene);
     let is_odd = mechanism.spring.power().is_some();
@@ -46,7 +46,8 @@ pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
     is_odd && is_alone && Inertia::from_scene(scene).rotation_kg == 0.0
 }
 
-/// The force into the mount of a spring alone, without a simulation, from where the plate starts and turns; `None` where that is not all.
+/// Computes the mount force of a spring alone, without a simulation, from the initial and turning positions; `None` if other parts
+/// contribute.
 pub(super) fn force_n(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
     let mechanism = Mechanism::from_scene(scene);
     if !scene.is_sprung() || mechanism.is_absent() || !turn_tells_force(scene) {

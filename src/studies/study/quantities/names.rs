@@ -4,13 +4,12 @@ use crate::study::error::QuantityError;
 use crate::study::quantities::{QUANTITIES, Quantity};
 use cmra_engine::model::variables;
 
-/// The quantity with this name, if there is one.
+/// Finds the quantity with exactly this name.
 pub fn find(name: &str) -> Option<&'static Quantity> {
     QUANTITIES.iter().find(|quantity| quantity.name == name)
 }
 
-/// The quantity that is meant by this name: written with blanks or dashes, or without its unit where that means one quantity only
-/// (`stroke`, `limit velocity`).
+/// Finds the quantity for a name with blanks or dashes, or without the unit if the quantity is unique (`stroke`, `limit velocity`).
 pub fn named(name: &str) -> Result<&'static Quantity, QuantityError> {
     let written = name.trim();
     let spelled = written.to_lowercase().replace([' ', '-'], "_");
@@ -24,7 +23,7 @@ pub fn named(name: &str) -> Result<&'static Quantity, QuantityError> {
         .ok_or_else(|| QuantityError::Unknown { name: name.to_owned(), cure: nearest(name) })
 }
 
-/// The quantities requested most.
+/// Most frequently used quantities.
 const DEFAULT: [&str; 6] = [
     "final_penetration_m",
     "percent_of_baseline",
@@ -35,17 +34,17 @@ const DEFAULT: [&str; 6] = [
 ];
 const WIDTH: usize = 78;
 
-/// A hint for an unknown name: the quantities whose name or meaning is nearest, else the usual ones.
+/// Returns a hint for an unknown name: the quantities with the nearest name or meaning, else the most frequently used.
 pub fn nearest(name: &str) -> String {
     let lower = name.trim().to_lowercase();
     let ranked = |quantity: &'static Quantity| {
-        // `depth` is a word of meanings, not of names.
+        // Words such as `depth` occur only in meanings.
         let mut meaning = quantity.meaning.split(|c: char| !c.is_alphanumeric() && c != '_');
         let is_meant = lower.len() > 2 && meaning.any(|word| word == lower);
         let far = distance(&lower, quantity.name);
         (if is_meant { far.min(1) } else { far }, quantity.name)
     };
-    // Of those as near as each other the ones requested most come first.
+    // Among equally near quantities the most frequently used come first.
     let mut all: Vec<&Quantity> = QUANTITIES.iter().collect();
     all.sort_by_key(|quantity| !DEFAULT.contains(&quantity.name));
     variables::close("", &lower, all.into_iter().map(ranked).collect()).unwrap_or_else(|| {
@@ -53,23 +52,23 @@ pub fn nearest(name: &str) -> String {
     })
 }
 
-/// How far a name is from a quantity's, or from some words of it that stand together.
+/// Returns the edit distance from a name to a quantity's name, or to some consecutive words of it.
 fn distance(name: &str, quantity: &str) -> usize {
     let words: Vec<&str> = quantity.split('_').collect();
     let parts = (0..words.len()).flat_map(|from| {
         let words = &words;
         (from + 1..=words.len()).map(move |to| words[from..to].join("_"))
     });
-    // A single letter is a unit's, and near to everything.
+    // A single letter is a unit, and near to every word.
     let parts = parts.filter(|part| part.len() > 2);
-    // Three letters or more of the beginning of a word mean that word.
+    // Three or more letters match the beginning of a word.
     let begun = |part: &str| name.len() > 2 && part.starts_with(name);
     let off = |part: &str| if begun(part) { 0 } else { strsim::osa_distance(name, part) };
     let nearest = parts.map(|part| off(&part) + usize::from(part != quantity)).min();
     nearest.unwrap_or(usize::MAX)
 }
 
-/// The names of all quantities in lines that fit a screen, for people.
+/// Lists the names of all quantities, in lines that fit the screen.
 pub fn listing() -> String {
     let names: Vec<&str> = QUANTITIES.iter().map(|quantity| quantity.name).collect();
     let options = textwrap::Options::new(WIDTH).initial_indent("  ").subsequent_indent("  ");
@@ -106,7 +105,7 @@ mod tests {
         assert_eq!(percent.show_all_digits(60.0, 4), "60.00 %");
     }
 
-    /// A value is typed as it is shown, whatever its prefix: a goal of the workbench is edited so.
+    /// Displayed values can be parsed back, with any prefix. The workbench edits a goal in this way.
     #[test]
     fn values_read_back_as_they_are_shown() {
         for quantity in QUANTITIES {

@@ -1,4 +1,4 @@
-//! The study on scenes whose answer is known.
+//! The study on scenes with a known solution.
 
 use super::*;
 use crate::study::context::{never_cancel, until};
@@ -17,18 +17,18 @@ fn the_usual_variables_are_those_that_the_scene_uses() {
     };
     let symbols = |pairs: &str| -> Vec<&str> { usual(pairs).iter().map(|it| it.0).collect() };
     let shot = ["v_i", "m_p", "R", "h", "rho", "S_y", "C_d"];
-    // Without a damper its exponent has no effect; there is no stop.
+    // The damper exponent has no effect without a damper; the scene has no stop.
     assert_eq!(symbols(""), [&["gamma", "d", "k", "n", "b"][..], &shot].concat());
     assert_eq!(usual("")[0], ("gamma", (0.8, 7.0)));
     assert_eq!(usual("")[5], ("v_i", (25.0, 400.0)));
     assert_eq!(symbols("mount=rigid"), shot);
     assert!(symbols("b=10 x_stop=0.02").contains(&"x_stop"));
     assert!(!symbols("k=0").contains(&"n"));
-    // What the size of the plate follows from is not the mass ratio.
+    // With a given face the mass ratio does not determine the size of the plate.
     assert!(!symbols("face=0.1").contains(&"gamma"));
 }
 
-/// Every point is the depth of its own run, perforations and both ends included.
+/// Every point equals the depth of a single run, including perforations and both ends.
 #[test]
 fn results_are_those_of_single_runs() {
     for pairs in ["", "interface=plastic gamma=4 d=0.02", "mount=rigid h=20mm"] {
@@ -52,8 +52,8 @@ fn results_are_those_of_single_runs() {
     }
 }
 
-/// On a rigid mount `m u' = -(S + c u²)`, with `S = S_y A` and `c = C_d rho A/2` once the nose is buried. The depth of a linear
-/// combination is not needed: with `u = v_i` it is `dp = m/(2 c) d ln(S + c v_i²)`, so `d p/d v_i = m v_i/(S + c v_i²)`.
+/// On a rigid mount `m u' = -(S + c u²)`, with `S = S_y A` and `c = C_d rho A/2` once the nose is buried. With `u = v_i`, `dp = m/(2 c) d
+/// ln(S + c v_i²)`, so `d p/d v_i = m v_i/(S + c v_i²)`.
 #[test]
 fn valid_the_slope_over_the_impact_velocity() {
     let base = "mount=rigid R=1e-4 dishing=off h=0.5 m_p=0.001 v_i=50";
@@ -67,13 +67,13 @@ fn valid_the_slope_over_the_impact_velocity() {
     assert!((slope / (0.001 * 50.0 / force) - 1.0).abs() < 1e-3, "{slope} {}", 0.05 / force);
 }
 
-/// A variable at the end of what is allowed has a slope from one side: without a damper the depth grows with b.
+/// At the end of the allowed range the slope is one-sided. Without a damper the depth increases with b.
 #[test]
 fn slopes_at_zero_are_from_above() {
     let report = computed("", &Request::default());
     let depth = |b: &str| plain_run(&scene(b)).unwrap().final_penetration_m.unwrap();
     let slope = report.effect("b").unwrap().slope.unwrap();
-    // Richardson's extrapolation of forward differences.
+    // Richardson extrapolation of forward differences.
     let forward = |h: f64| (depth(&format!("b={h}")) - depth("b=0")) / h;
     let exact = 2.0 * forward(0.5) - forward(1.0);
     assert!((slope / exact - 1.0).abs() < 1e-3, "{slope} {exact}");
@@ -88,7 +88,7 @@ fn a_study_that_is_stopped_has_the_ends_of_all_rows_first() {
     let ends = |effect: &Effect| effect.points[0].is_some() && effect.points[16].is_some();
     assert!(report.effects.iter().filter(|effect| ends(effect)).count() >= 10);
     assert!(report.effects.iter().all(|effect| effect.slope.is_none()));
-    // Cells of points that were not computed are empty.
+    // Cells without computed points are empty.
     let cells = report.effects[0].cells(8);
     assert!(cells[0].is_some() && cells[7].is_some() && cells[1..7].iter().all(Option::is_none));
 }
@@ -106,7 +106,7 @@ fn cells_are_the_middles_of_equal_parts() {
     for at in [0, 4, 8, 12, 16] {
         effect.points[at] = value(at);
     }
-    // Linear in between: 1.5, 2.5, ... 8.5.
+    // Linear interpolation: 1.5, 2.5, ... 8.5.
     let middles: Vec<Option<f64>> = (0..8).map(|cell| Some(1.5 + f64::from(cell))).collect();
     assert_eq!(effect.cells(8), middles);
     assert_eq!(effect.own_cell(8), Some(7));

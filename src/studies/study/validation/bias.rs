@@ -7,19 +7,19 @@ use cmra_engine::numerics::{larger, smaller};
 /// Bias and scatter of a set of measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bias {
-    /// Class; `None` for all measurements.
+    /// Class of measurements; `None` for all.
     pub class: Option<&'static str>,
-    /// How many points.
+    /// Number of points.
     pub points: usize,
     /// Mean of computed over measured, less 1.
     pub mean: f64,
-    /// Standard deviation of that; `None` for one point.
+    /// Standard deviation of computed over measured; `None` for one point.
     pub deviation: Option<f64>,
-    /// Least and greatest.
+    /// Minimum and maximum of computed over measured, less 1.
     pub range: (f64, f64),
 }
 
-/// Bias and scatter by class, and last over all points that are counted.
+/// Computes bias and scatter by class, and last over all counted points.
 pub fn biases(report: &[Row]) -> Vec<Bias> {
     let own = |class: &&'static str| {
         let errors: Vec<f64> =
@@ -40,7 +40,7 @@ fn bias(class: Option<&'static str>, errors: &[f64]) -> Option<Bias> {
     Some(Bias {
         class,
         points: errors.len(),
-        // One point is its own mean.
+        // The mean of a single point is the point.
         mean: own.map_or(*errors.first()?, |(mean, _)| mean),
         deviation: own.map(|(_, deviation)| deviation),
         range: (
@@ -54,7 +54,7 @@ fn bias(class: Option<&'static str>, errors: &[f64]) -> Option<Bias> {
 mod tests {
     use super::*;
 
-    /// -0.1, 0, 0.4: mean 0.1, squares 0.04 + 0.01 + 0.09 = 0.14, over 2 and its root.
+    /// Errors -0.1, 0, 0.4: mean 0.1, sum of squares 0.04 + 0.01 + 0.09 = 0.14, standard deviation (0.14/2)^(1/2).
     #[test]
     fn mean_and_standard_deviation() {
         let known = bias(None, &[-0.1, 0.0, 0.4]).unwrap();

@@ -39,7 +39,7 @@ fn of_scene<'a>(
     found.entry(Candidate::Scene).map(|_| found)
 }
 
-/// What to beware of, the candidates beside each other as on the printed page, then what the verdict rests on.
+/// Returns the lines of the comparison: cautions, the candidates side by side as in the printed report, and the basis of the verdict.
 fn lines(report: &compare::ComparisonReport, width: usize) -> Vec<TextLine> {
     let sentence = |role: Role, text: &str| -> Vec<TextLine> {
         let parts =
