@@ -1,4 +1,4 @@
-//! A comparison of methods: one row for each point, and an object with references and answers.
+//! Report of a comparison of methods: a table with one row for each point, and an object with references and answers.
 
 use serde_json::{Value, json};
 
@@ -15,7 +15,7 @@ use cmra_engine::model::library;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::units::engineering;
 
-/// A point of a method.
+/// Point of a method.
 pub type Row<'r> = (&'r MethodReport, &'r Point);
 
 /// Returns the warnings of the library entries that the scene uses.
@@ -23,7 +23,7 @@ pub fn warnings(report: &AccuracyReport) -> Vec<Warning> {
     library::warnings(&report.scene).collect()
 }
 
-/// The points of all methods on the scene of this name.
+/// Returns the table of the points of all methods for a named scene.
 pub fn table<'r>(name: &'r str, report: &'r AccuracyReport) -> Table<'r, Row<'r>> {
     let rows = |method: &'r MethodReport| method.points.iter().map(move |point| (method, point));
     let measured = |row: &Row<'r>| row.1.result.as_ref().ok();
@@ -59,16 +59,16 @@ pub fn table<'r>(name: &'r str, report: &'r AccuracyReport) -> Table<'r, Row<'r>
         .field(WARNINGS, move |_| warnings.clone())
 }
 
-/// Less than this is within the spread of timings.
+/// Minimum reported speed-up; smaller ones are within the scatter of run times.
 const GAIN_LEAST: f64 = 1.1;
 
-/// The key of the warnings.
+/// Key of the warnings in JSON.
 const WARNINGS: &str = "warnings";
 
-/// The accuracies of the table of methods.
+/// Errors of the columns in the table of methods.
 pub const TARGETS: [f64; 2] = [1e-6, 1e-9];
 
-/// The methods, a row each.
+/// Returns the table of methods, one row each.
 pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
     let time = |target: f64| move |it: &&MethodReport| Some(it.cheapest(target)?.min_s);
     let in_seconds = |_: &&MethodReport, value: &Value| Some(seconds(value.as_f64()?));
@@ -86,12 +86,12 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
         .shown(brief)
 }
 
-/// The method of a result, and its parameter.
+/// Formats a method and its parameter.
 pub fn by(found: &Cheapest) -> String {
     format!("by {} at {}", found.method.name(), found.parameter)
 }
 
-/// A part in whole percent.
+/// Formats a fraction as a whole percentage.
 pub fn percent(part: f64) -> String {
     format!("{:.0} %", 100.0 * part)
 }
@@ -110,12 +110,12 @@ pub fn advice(report: &AccuracyReport) -> String {
     format!("{target:.0e}: {found}")
 }
 
-/// How far the printed scheme of the thesis is off, whatever its step.
+/// Describes the error of the printed scheme of the thesis, which does not depend on the step size.
 pub fn printed_scheme(report: &AccuracyReport) -> Option<String> {
     Some(format!("printed scheme: {} off at any step", percent(report.printed_off?)))
 }
 
-/// The gain from omitted terms.
+/// Returns the table of speed-ups from omitted terms.
 pub fn savings(savings: &[OmissionGain]) -> Table<'_, &OmissionGain> {
     let in_seconds = |_: &&OmissionGain, value: &Value| Some(seconds(value.as_f64()?));
     Table::new(savings)
@@ -127,21 +127,21 @@ pub fn savings(savings: &[OmissionGain]) -> Table<'_, &OmissionGain> {
         .with("gain", "gain", "", |it| gain(it))
 }
 
-/// How many times faster it is without, where that can be told.
+/// Formats the speed-up without a term; `none` if it is within the scatter of run times.
 pub fn gain(saving: &OmissionGain) -> String {
     let times = saving.with_s / saving.without_s;
     if times < GAIN_LEAST { "none".to_owned() } else { format!("{times:.1} times") }
 }
 
-/// A run time, in a few characters.
+/// Formats a run time in a few characters.
 pub fn seconds(value: f64) -> String {
     engineering(value, "s", 2)
 }
 
-/// The errors for which the run time is answered.
+/// Errors for which the fastest method is reported.
 pub const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
-/// The object of the scene of this name.
+/// Returns the JSON object of the report for a named scene.
 pub fn json(name: &str, report: &AccuracyReport, reach: Reach) -> Value {
     let References { engine, other } = report.references;
     let references = engine.into_iter().chain(other).map(|reference| {
@@ -177,13 +177,13 @@ pub fn json(name: &str, report: &AccuracyReport, reach: Reach) -> Value {
     })
 }
 
-/// The error of a method over its run time, s.
+/// Returns the curve of the error of a method over its run time, s.
 fn curve(of: &MethodReport) -> Curve<'static> {
     let points: Vec<(f64, f64)> = of.measured().map(|(_, it)| (it.min_s, it.error())).collect();
     Curve::new(of.method.letter(), of.method.name(), points).colour(of.method as usize)
 }
 
-/// The accuracies of the table, the uncertainty of the reference, and, apart from the methods, how far the printed scheme is off.
+/// Returns the level lines: the errors of the table, the uncertainty of the reference, and the error of the printed scheme.
 fn levels(report: &AccuracyReport) -> Vec<Mark<'static>> {
     let floor = report.references.any().and_then(|reference| reference.uncertainty);
     let floor = floor.map(|at| Mark::new(at, "reference's floor"));
@@ -191,20 +191,20 @@ fn levels(report: &AccuracyReport) -> Vec<Mark<'static>> {
     TARGETS.map(|at| Mark::new(at, "")).into_iter().chain(floor).chain(printed).collect()
 }
 
-/// The chart; `None` where no result could be compared.
+/// Returns the chart of error over run time; `None` if no result could be compared.
 pub fn error_over_time(report: &AccuracyReport) -> Option<Chart<'static>> {
     let curves: Vec<Curve<'static>> = report.methods.iter().map(curve).collect();
     let points = || curves.iter().flat_map(|curve| curve.points.iter());
     let times = ViewRange::from_values(Scale::Log10, points().map(|point| point.0))?;
     let errors = ViewRange::from_values(Scale::Log10, points().map(|point| point.1))?;
     let (times, errors) = (times.in_decades(), errors.in_decades());
-    // The unit of the fast end: microseconds, of which a person thinks here.
+    // Choose the unit for the fast end: microseconds.
     let unit = Unit::with_prefix(30.0 * times.lo(), "s");
     let x = Axis::new("run time", times).scale(Scale::Log10).unit(unit);
     let y = Axis::new("relative error", errors).scale(Scale::Log10);
     let title = "relative error, the greatest of all results";
     Some(Chart {
-        // The table of methods has their letters.
+        // The table of methods explains the letters.
         legend: Legend::Hidden,
         levels: levels(report),
         ..Chart::new(title, x, y, curves)

@@ -1,5 +1,5 @@
-//! Charts as plain data: axes with units, curves, reference lines, and how a chart is shown. The terminal and SVG draw these charts
-//! with the ticks and bands computed here.
+//! Charts as plain data: axes with units, curves, reference lines and display options. The terminal and SVG output draw these charts with
+//! the ticks and bands computed here.
 
 use std::borrow::Cow;
 
@@ -12,12 +12,12 @@ pub mod ticks;
 pub use scale::{Mapping, Scale, ViewRange};
 use ticks::{Along, Ticks};
 
-/// How to show a quantity: numbers times `factor` are in `unit`.
+/// Unit of displayed numbers: value times `factor`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unit<'a> {
-    /// Shown number = value * factor; finite and > 0.
+    /// Displayed number over value; finite and > 0.
     pub factor: f64,
-    /// Name of the shown unit; empty for a pure number.
+    /// Name of the displayed unit; empty for a pure number.
     pub name: Cow<'a, str>,
 }
 
@@ -29,40 +29,40 @@ impl Default for Unit<'_> {
 }
 
 impl<'a> Unit<'a> {
-    /// A unit as it is.
+    /// Creates a unit without a prefix.
     pub fn new(name: impl Into<Cow<'a, str>>) -> Self {
         Self { factor: 1.0, name: name.into() }
     }
 
-    /// The prefix under which a number of this size is from 1 to below 1000: 0.0071 m gives mm. Units that take
-    /// no prefix (none, `kg`, `deg`, `%`, powers such as `m^2`) are left alone.
+    /// Chooses the prefix for which a number of this size is in [1, 1000): mm for 0.0071 m. Units without prefixes (none, `kg`, `deg`, `%`,
+    /// powers such as `m^2`) are unchanged.
     pub fn with_prefix(size: f64, unit: &'a str) -> Self {
         let prefix = Prefix::for_unit(size, unit);
         Self { factor: prefix.in_one, name: format!("{}{unit}", prefix.letter).into() }
     }
 }
 
-/// An axis.
+/// Axis of a chart.
 #[must_use]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis<'a> {
     /// Quantity of the axis: `t`. In a terminal the chart's title names the quantity of the left axis.
     pub label: Cow<'a, str>,
-    /// The unit numbers are shown in; points, views and lines stay in the unit of the data.
+    /// Unit of displayed numbers. Points, view and lines use the unit of the data.
     pub unit: Unit<'a>,
-    /// How values are spread.
+    /// Scale of the axis.
     pub scale: Scale,
-    /// Range of values shown, in the unit of the data.
+    /// Displayed range, in the unit of the data.
     pub view: ViewRange,
 }
 
 impl<'a> Axis<'a> {
-    /// A linear axis that shows numbers as they are, without a unit.
+    /// Creates a linear axis that displays numbers without a unit.
     pub fn new(label: impl Into<Cow<'a, str>>, view: ViewRange) -> Self {
         Self { label: label.into(), view, ..Self::default() }
     }
 
-    /// An axis over all of these values that have a place on it; `None` where there is none.
+    /// Creates an axis over all values that the scale can represent; `None` if there are none.
     pub fn over(
         label: impl Into<Cow<'a, str>>,
         unit: &'a str,
@@ -73,7 +73,7 @@ impl<'a> Axis<'a> {
         Some(Self::new(label, view).scale(scale).unit(Unit::with_prefix(view.size(), unit)))
     }
 
-    /// A linear one with some room beyond the values.
+    /// Creates a linear axis with a margin beyond the values.
     pub fn fitted(
         label: impl Into<Cow<'a, str>>,
         unit: &'a str,
@@ -82,37 +82,37 @@ impl<'a> Axis<'a> {
         Some(Self::over(label, unit, Scale::Linear, values)?.padded(0.05))
     }
 
-    /// With numbers in this unit.
+    /// Sets the unit of displayed numbers.
     pub fn unit(self, unit: Unit<'a>) -> Self {
         Self { unit, ..self }
     }
 
-    /// With this scale.
+    /// Sets the scale.
     pub fn scale(self, scale: Scale) -> Self {
         Self { scale, ..self }
     }
 
-    /// With zero on it.
+    /// Extends the range to include zero.
     pub fn with_zero(self) -> Self {
         let (lo, hi) = (self.view.lo(), self.view.hi());
         Self { view: ViewRange::new(lo.min(0.0), hi.max(0.0)), ..self }
     }
 
-    /// With room at both ends: a part of its length.
+    /// Extends the range at both ends by a fraction of its length.
     pub fn padded(self, part: f64) -> Self {
         Self { view: self.view.padded(self.scale, part), ..self }
     }
 
-    /// The ticks that have room along a given number of cells, in the unit shown.
+    /// Returns the ticks that fit along a number of cells, in the displayed unit.
     pub fn ticks(&self, cells: u16, along: Along) -> Ticks {
-        // Ticks are chosen in the unit shown; their cells are those of the values, because both ranges are the same.
+        // Ticks are chosen in the displayed unit. Their cells equal those of the values, because both ranges are the same.
         let view = self.view.on(self.scale);
         let shown = ViewRange::new(view.lo() * self.unit.factor, view.hi() * self.unit.factor);
         ticks::ticks(Mapping::new(self.scale, shown, cells), along)
     }
 
-    /// The axis upward in rows, a little longer where that puts round numbers in the middle of rows, and its ticks.
-    /// Lines across at these values keep clear of labels of other values where they can.
+    /// Returns the vertical axis in rows and its ticks. Extends the range if that centres round numbers on rows. Labels avoid the level
+    /// lines at `lines` if possible.
     pub fn on_rows(&self, rows: u16, lines: &[f64]) -> Option<(Mapping, Ticks)> {
         let factor = self.unit.factor;
         let view = self.view.on(self.scale);
@@ -139,7 +139,7 @@ impl<'a> Axis<'a> {
         self.after(&self.label, exponent)
     }
 
-    /// A title of its values and their unit, unless the title begins with it: `% of rigid-mount depth`.
+    /// Appends the unit to a title, unless the title begins with it: `% of rigid-mount depth`.
     pub fn after(&self, title: &str, exponent: i32) -> String {
         let has_unit = self.unit.name == "%" && title.starts_with('%') && exponent == 0;
         let unit = if has_unit { String::new() } else { self.unit_text(exponent) };
@@ -147,16 +147,16 @@ impl<'a> Axis<'a> {
     }
 }
 
-/// Two texts with a blank between, where there are two.
+/// Joins two texts with a blank; omits the blank if one is empty.
 pub fn spaced(a: &str, b: &str) -> String {
     let gap = if a.is_empty() || b.is_empty() { "" } else { " " };
     format!("{a}{gap}{b}")
 }
 
-/// A dotted line across the chart.
+/// Dotted reference line across the chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark<'a> {
-    /// Where, in the unit of its axis.
+    /// Position, in the unit of its axis.
     pub at: f64,
     /// Meaning; may be empty.
     pub name: Cow<'a, str>,
@@ -165,51 +165,51 @@ pub struct Mark<'a> {
 }
 
 impl<'a> Mark<'a> {
-    /// A line with one name everywhere.
+    /// Creates a line with the same name everywhere.
     pub fn new(at: f64, name: impl Into<Cow<'a, str>>) -> Self {
         let name = name.into();
         Self { at, tag: name.clone(), name }
     }
 
-    /// With this letter or word in a terminal.
+    /// Sets the short name for a terminal.
     #[must_use]
     pub fn tag(self, tag: impl Into<Cow<'a, str>>) -> Self {
         Self { tag: tag.into(), ..self }
     }
 }
 
-/// How a curve stands among the others.
+/// Emphasis of a curve relative to the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Emphasis {
-    /// Reference of the other curves: faint, at the bottom.
+    /// Reference for the other curves: faint, drawn first.
     Faint,
-    /// Results that a newer computation will replace: faint, at the bottom, `(old)` in the legend.
+    /// Outdated results of a running computation: faint, drawn first, marked `(old)` in the legend.
     Stale,
-    /// Curve in the order given.
+    /// Normal curve, drawn in the given order.
     #[default]
     Normal,
-    /// Drawn last, over the others.
+    /// Selected curve, drawn last.
     Selected,
 }
 
-/// A curve.
+/// Curve of a chart.
 #[must_use]
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve<'a> {
-    /// The character it is drawn with in ASCII, and marked with otherwise. One cell wide.
+    /// Character of the curve in ASCII charts, and its marker in others. One cell wide.
     pub marker: char,
     /// Name in the legend; a curve with an empty name is omitted there.
     pub label: Cow<'a, str>,
     /// Points in the units of the axes' views, in drawing order; a non-finite number makes a gap.
     pub points: Cow<'a, [(f64, f64)]>,
-    /// Index into the colours of curves.
+    /// Index into the palette of curves.
     pub colour: usize,
-    /// How it stands among the others.
+    /// Emphasis relative to the other curves.
     pub emphasis: Emphasis,
 }
 
 impl<'a> Curve<'a> {
-    /// A line through points.
+    /// Creates a line through points.
     pub fn new(
         marker: char,
         label: impl Into<Cow<'a, str>>,
@@ -223,17 +223,17 @@ impl<'a> Curve<'a> {
         Curve { label: Cow::Borrowed(&self.label), points: Cow::Borrowed(&self.points), ..*self }
     }
 
-    /// In this colour.
+    /// Sets the colour.
     pub fn colour(self, colour: usize) -> Self {
         Self { colour, ..self }
     }
 
-    /// With this emphasis.
+    /// Sets the emphasis.
     pub fn emphasis(self, emphasis: Emphasis) -> Self {
         Self { emphasis, ..self }
     }
 
-    /// Points without a line between them, each drawn as its marker.
+    /// Creates a curve of separate points, each drawn as its marker.
     pub fn points(
         marker: char,
         label: impl Into<Cow<'a, str>>,
@@ -243,80 +243,80 @@ impl<'a> Curve<'a> {
         Self::new(marker, label, points.into_iter().flat_map(apart).collect::<Vec<_>>())
     }
 
-    /// Whether it has no line: each point has gaps beside it.
+    /// Returns `true` if the curve has no line: each point is enclosed by gaps.
     pub fn is_dotted(&self) -> bool {
         let is_point = |point: &(f64, f64)| point.0.is_finite() && point.1.is_finite();
         !self.points.windows(2).any(|pair| pair.iter().all(is_point))
     }
 }
 
-/// The frame and title of a chart.
+/// Frame and title of a chart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Frame {
-    /// A box with the title in its top line, the axis and its numbers inside.
+    /// Box with the title in its top line; axes and labels inside.
     #[default]
     Boxed,
-    /// Chart in a box of several.
+    /// Chart that shares a box with others.
     Stacked {
         /// Whether the chart is the first of its box.
         begins: bool,
-        /// Lower line of the chart.
+        /// Lower border of the chart.
         below: Below,
     },
 }
 
-/// The lower line of a chart in a box of several. A line has the axis and its numbers.
+/// Lower border of a chart that shares a box. The axis and its labels are on this line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Below {
-    /// None: the next chart has the same axis.
+    /// No border: the next chart has the same axis.
     Nothing,
-    /// A line across the box: another chart follows.
+    /// Line across the box, followed by another chart.
     Across,
-    /// The line that closes the box.
+    /// Lower line of the box.
     End,
 }
 
-/// Whether the curves are named.
+/// Visibility of the legend.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Legend {
-    /// In the title line, or in a row above the plot where that is too short. Never over data.
+    /// In the title line, or in a row above the plot if the title line is too short. Never over data.
     #[default]
     Shown,
-    /// Not: another chart names them.
+    /// No legend; another chart names the curves.
     Hidden,
 }
 
-/// A chart. Build it with [`Chart::new`] and set the rest: `Chart { crosshair: Some(t), ..Chart::new(title, x, y, curves) }`.
+/// Chart. Create it with [`Chart::new`] and set further fields: `Chart { crosshair: Some(t), ..Chart::new(title, x, y, curves) }`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chart<'a> {
     /// Title; the unit of the left axis is appended.
     pub title: Cow<'a, str>,
-    /// The horizontal axis.
+    /// Horizontal axis.
     pub x: Axis<'a>,
-    /// The left axis.
+    /// Left axis.
     pub y: Axis<'a>,
-    /// The curves, later ones over earlier ones.
+    /// Curves; later ones are drawn over earlier ones.
     pub curves: Vec<Curve<'a>>,
-    /// Vertical lines under the curves.
+    /// Vertical lines, drawn below the curves.
     pub marks: Vec<Mark<'a>>,
-    /// Horizontal lines under the curves, by the left axis.
+    /// Horizontal lines at values of the left axis, drawn below the curves.
     pub levels: Vec<Mark<'a>>,
-    /// Where the crosshair stands, in the unit of the data.
+    /// Position of the crosshair, in the unit of the data.
     pub crosshair: Option<f64>,
     /// Frame and title of the chart.
     pub frame: Frame,
-    /// Whether the curves are named.
+    /// Visibility of the legend.
     pub legend: Legend,
-    /// Something short at the right of the title line of a stacked chart; omitted where it has no room.
+    /// Short note at the right of the title line of a stacked chart; omitted if it does not fit.
     pub note: Cow<'a, str>,
-    /// Least columns for the labels of the left axis.
+    /// Minimum number of columns for the labels of the left axis.
     pub gutter: u16,
-    /// Whether it has the keys.
+    /// Whether the chart has the keyboard focus.
     pub focused: bool,
 }
 
 impl<'a> Chart<'a> {
-    /// A chart with curves and axes and nothing else.
+    /// Creates a chart with curves and axes only.
     pub fn new(
         title: impl Into<Cow<'a, str>>,
         x: Axis<'a>,

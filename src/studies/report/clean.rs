@@ -1,9 +1,9 @@
-//! Text from outside (files, names, arguments) on its way to a person: what would command a terminal, break a line, or show a line
-//! in another order than it is written is replaced. The one place that decides what that is.
+//! Sanitises external text (files, names, arguments) for display. Replaces characters that would control a terminal, break a line, or
+//! change the reading direction. The only definition of such characters.
 
 use std::borrow::Cow;
 
-/// The replacement character.
+/// Replacement character.
 const REPLACEMENT: &str = "\u{fffd}";
 
 /// Removes line ends and control characters from a text.
@@ -11,8 +11,7 @@ pub fn line(text: &str) -> Cow<'_, str> {
     replaced(text, is_command)
 }
 
-/// A text of several lines, in the way of Unix or of Windows. What it is made of has been through `line` already where a line
-/// end would mislead: here, its direction is not known.
+/// Sanitises a text of several lines with Unix or Windows line ends. Use [`line`] first for parts in which a line end would mislead.
 pub fn page(text: &str) -> Cow<'_, str> {
     if text.contains('\r') {
         let lines: Vec<Cow<'_, str>> =
@@ -23,7 +22,7 @@ pub fn page(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// A word of a command line as a shell reads it back, in quotes where it needs them.
+/// Quotes a word for a shell command line if necessary.
 pub fn shell_word(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./=:,+@%".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {
@@ -33,7 +32,7 @@ pub fn shell_word(word: &str) -> String {
     }
 }
 
-/// Control characters (of C0 and C1), line separators, and what changes the direction of the text after it.
+/// Returns `true` for control characters (C0 and C1), line separators, and characters that change the reading direction.
 fn is_command(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
@@ -55,7 +54,7 @@ fn replaced(text: &str, unwanted: fn(char) -> bool) -> Cow<'_, str> {
 mod tests {
     use super::*;
 
-    /// A title as of a scene file that wants something else than to be read.
+    /// Title of a malicious scene file.
     const HOSTILE: &str = "a\rb\nc\u{1b}[2Jd\u{9b}31me\u{202e}f\u{7f}g\u{2028}h\u{85}i\tj";
 
     #[test]
@@ -65,7 +64,7 @@ mod tests {
             cleaned,
             "a\u{fffd}b\u{fffd}c\u{fffd}[2Jd\u{fffd}31me\u{fffd}f\u{fffd}g\u{fffd}h\u{fffd}i\u{fffd}j"
         );
-        // What people write stays as it is.
+        // Ordinary text is unchanged.
         for text in [
             "Ta\u{308}rget \u{2013} \u{3b3} = 1",
             "\u{65e5}\u{672c}",

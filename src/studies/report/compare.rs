@@ -1,5 +1,5 @@
-//! The comparison at equal areal mass: one row for each candidate, the whole as an object, its map, and all of it in sentences, the
-//! same on the command line and in the workbench. SI.
+//! Report of the comparison at equal areal mass: a table with one row for each candidate, an object, a map, and sentences shared by the
+//! command line and the workbench. SI.
 
 use serde_json::{Map as Object, Value, json};
 
@@ -23,11 +23,11 @@ use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{PlateSize, Scene};
 use cmra_engine::model::units::{fixed_significant, significant, velocity};
 
-/// The meaning of the contour on a map.
+/// Name and meaning of the contour on a map.
 const LINE: (&str, &str) = ("line of 1", ": above 1 the armour is lighter than the solid plate");
-/// The limit of plate and spring together.
+/// Label of the limit of plate and spring together.
 const SURVIVES: &str = "if spring holds";
-/// The lines of a page, by their keys.
+/// Keys of the lines of a page.
 const LINES: [&str; 22] = [
     "candidate",
     "mass_efficiency",
@@ -53,7 +53,7 @@ const LINES: [&str; 22] = [
     "penetration_m",
 ];
 
-/// The candidates with their figures.
+/// Returns the table of the candidates.
 pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
     let own = |name| move |it: &&Entry| find(name)?.value(&it.run);
@@ -98,7 +98,7 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
     expected_columns(table, |it| it.shot.expected.as_ref())
 }
 
-/// The candidates beside each other, a figure on each line, as on a page of this width.
+/// Formats the candidates side by side, one quantity per line, for a page of this width.
 pub fn beside(report: &ComparisonReport, width: usize) -> String {
     let has_class = report.entries.iter().any(|entry| entry.shot.expected.is_some());
     let lines: Vec<&str> =
@@ -120,7 +120,7 @@ fn governed_by(entry: &Entry) -> &'static str {
     }
 }
 
-/// Everything, as one object; null for what does not exist.
+/// Returns the whole report as an object; null for values that do not exist.
 pub fn json(name: &str, report: &ComparisonReport) -> Value {
     let table = table(name, report);
     let candidates = Candidate::ALL.into_iter().map(|candidate| {
@@ -163,7 +163,7 @@ pub fn json(name: &str, report: &ComparisonReport) -> Value {
     object
 }
 
-/// The points of a map that were computed, the second variable running fastest.
+/// Returns the table of the computed points of a map; the second variable varies fastest.
 pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
     let (x, y) = (map.x(), map.y());
     let points = (0..x.count()).flat_map(|at| (0..y.count()).map(move |up| (at, up)));
@@ -181,7 +181,7 @@ pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
         })
 }
 
-/// The map as a picture; `None` where no point has a mass efficiency.
+/// Returns the picture of the map; `None` if no point has a mass efficiency.
 pub fn picture(found: &Map) -> Option<map::Map<'static>> {
     let cell = |x: usize, y: usize| match found.shown(x as u64, y as u64) {
         Some(Ok(value)) => Cell::Value(value),
@@ -205,8 +205,8 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
     })
 }
 
-/// Where on a map the mechanism pays at the second variable's value of a scene: ranges of the first variable where the mass
-/// efficiency is above 1, or where on the map it is greatest; `None` while too little is computed.
+/// Describes where the mechanism pays at the scene's value of the second variable: the ranges of the first variable with a mass efficiency
+/// above 1, else the maximum of the map; `None` if too few points are computed.
 pub fn where_it_pays(map: &Map, scene: &Scene) -> Option<String> {
     let (x, y) = (map.x(), map.y());
     let (row, points) = map.row(y.nearest(y.own_value(scene)?));
@@ -243,7 +243,7 @@ pub fn where_it_pays(map: &Map, scene: &Scene) -> Option<String> {
     })
 }
 
-/// The ranges in which a curve through these points is above 1, by interpolation over the logarithm of `x`.
+/// Returns the ranges in which a curve through these points exceeds 1, interpolated over ln `x`.
 fn above_one(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut ranges: Vec<(f64, f64)> = Vec::new();
     let mut before: Option<(f64, f64)> = None;
@@ -270,7 +270,7 @@ fn above_one(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     ranges
 }
 
-/// Whether moving pays for the scene's own shot: the answer, and what it rests on.
+/// Returns whether moving pays for the scene's own shot, with the reason.
 pub fn short_verdict(report: &ComparisonReport) -> (&'static str, String) {
     match report.verdict() {
         Verdict::Stops(efficiency) => {
@@ -287,7 +287,7 @@ pub fn short_verdict(report: &ComparisonReport) -> (&'static str, String) {
     }
 }
 
-/// Whether the mechanism pays, and by how much.
+/// Describes whether the mechanism pays, and by how much.
 pub fn verdict(report: &ComparisonReport) -> String {
     let design = velocity(report.scene.projectile.velocity_m_s, 4);
     let Some(own) = report.entry(Candidate::Scene) else {
@@ -302,7 +302,7 @@ pub fn verdict(report: &ComparisonReport) -> String {
         }
         Verdict::NotMet(_) => format!("{words} ({design})"),
         Verdict::Unknown => {
-            // What is open, the caution says.
+            // The caution describes an open verdict.
             let why = own.sized.as_ref().err().filter(|it| !it.is_open());
             let why = why.map_or_else(String::new, |it| format!(": {}", it.words()));
             format!("{words} ({design}){why}")
@@ -318,7 +318,7 @@ fn uncounted(report: &ComparisonReport) -> String {
     format!(", without the mass of its {}", report.uncounted.join(" and "))
 }
 
-/// Returns the reasons of the verdict, a sentence each.
+/// Returns the reasons for the verdict, one sentence each.
 pub fn reasons(report: &ComparisonReport) -> Vec<String> {
     let Some(own) = report.entry(Candidate::Scene) else { return Vec::new() };
     let mut lines = Vec::new();
@@ -332,7 +332,7 @@ pub fn reasons(report: &ComparisonReport) -> Vec<String> {
     lines
 }
 
-/// Where what was judged is outside the model's validity and the scene as built is not: the sized armour, and each candidate at its
+/// Describes breaches of the model's validity that the scene as built does not have: of the sized armour, and of each candidate at its
 /// limit.
 fn outside_validity(report: &ComparisonReport) -> Vec<String> {
     let known = envelope::of_scene(&report.scene);
@@ -364,11 +364,11 @@ fn outside_validity(report: &ComparisonReport) -> Vec<String> {
     lines
 }
 
-/// The two armours that just stop the shot.
+/// Describes the two armours that just stop the shot.
 fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
     let sized: &SizedArmour = match &own.sized {
         Ok(sized) => sized,
-        // The caution says why.
+        // The caution gives the reason.
         Err(absence) if absence.is_open() => return None,
         Err(absence) => return Some(format!("no mass efficiency: {}", absence.words())),
     };
@@ -403,7 +403,7 @@ fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
     ))
 }
 
-/// The causes of the limit velocities, and the missing ones.
+/// Describes the causes of the limit velocities, and of missing limits.
 fn limits(report: &ComparisonReport) -> Vec<String> {
     let mut lines = Vec::new();
     for entry in &report.entries {
@@ -434,7 +434,7 @@ mod tests {
     use crate::study::sweep::{Axis, Spacing};
     use cmra_engine::model::variables::changed_free_plate;
 
-    /// With e J/kg and no dishing the mechanism pays if and only if v^2 < 2 (1 + gamma) e; a steel coil has 196.8 J/kg.
+    /// Without dishing the mechanism pays if and only if v² < 2 (1 + gamma) e, with e in J/kg; a steel coil has 196.8 J/kg.
     #[test]
     fn valid_the_edge_of_where_it_pays_is_the_closed_form() {
         for (gamma, edge) in [(1.0, "28.1 m/s"), (3.0, "39.7 m/s")] {

@@ -1,20 +1,20 @@
-//! A report as one HTML file with its pictures in it.
+//! Report as a single HTML file with embedded pictures.
 
 use std::fmt::Write as _;
 
 use crate::report::svg::{self, Picture, Svg, escaped};
 
-/// The look of a page: black on white, as wide as a picture and a half, nothing from elsewhere.
+/// Style sheet of a report: black on white, 1.5 pictures wide, without external resources.
 const STYLE: &str = "body { max-width: 60em; margin: 2em auto; padding: 0 1em; font-family: sans-serif; color: #111; \
                      background: #fff; line-height: 1.4 } table { border-collapse: collapse } \
                      th, td { border: 1px solid #ccc; padding: 0.2em 0.6em; text-align: left; vertical-align: top } \
                      pre { background: #f4f4f4; padding: 0.6em; overflow-x: auto } svg { max-width: 100%; height: auto }";
 
-/// An HTML file that is XML, too, as far as it is written.
+/// HTML document under construction; the file is also well-formed XML.
 pub struct Document(String);
 
 impl Document {
-    /// A report of this title.
+    /// Creates a report with this title.
     pub fn new(title: &str) -> Self {
         let title = escaped(title);
         Self(format!(
@@ -23,23 +23,23 @@ impl Document {
         ))
     }
 
-    /// The title of what follows.
+    /// Appends a heading.
     pub fn heading(&mut self, text: &str) {
         self.0 += &element("h2", text);
     }
 
-    /// Sentences.
+    /// Appends a paragraph.
     pub fn paragraph(&mut self, text: &str) {
         self.0 += &element("p", text);
     }
 
-    /// Appends items, a line each.
+    /// Appends a list, one item per line.
     pub fn list(&mut self, items: &[impl ToString]) {
         let items: String = items.iter().map(|item| element("li", &item.to_string())).collect();
         let _ = writeln!(self.0, "<ul>\n{items}</ul>");
     }
 
-    /// A table: the names of its columns, and rows of as many texts.
+    /// Appends a table: column names, and rows of as many texts.
     pub fn table<const N: usize>(
         &mut self,
         head: [&str; N],
@@ -51,17 +51,17 @@ impl Document {
             writeln!(self.0, "<table>\n<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table>");
     }
 
-    /// Text to be copied as it is.
+    /// Appends preformatted text.
     pub fn code(&mut self, text: &str) {
         let _ = writeln!(self.0, "<pre><code>{}</code></pre>", escaped(text));
     }
 
-    /// A chart or a map.
+    /// Appends a chart or a map.
     pub fn picture(&mut self, picture: &Picture) {
         let _ = writeln!(self.0, "<figure>\n{}</figure>", svg::element(&[picture.svg()]));
     }
 
-    /// The whole file.
+    /// Returns the complete file.
     pub fn html(self) -> String {
         self.0 + "</body>\n</html>\n"
     }

@@ -1,7 +1,7 @@
-//! Energies of a run over time: where the energy at the start is at a moment.
+//! Energies of a run over time: distribution of the initial energy among the parts.
 //!
-//! Kinetic energies and the energy of the spring follow from a row of the series in closed form. The rest of the energy at the start has
-//! been dissipated. Each part of it is booked where forces do work between two rows.
+//! Kinetic energies and the spring energy follow in closed form from a row of the series. The rest of the initial energy is dissipated. It
+//! is assigned to the forces that do work between two rows.
 
 use cmra_engine::model::mechanism::{Spring, moving_plate_kg};
 use cmra_engine::model::plug::Plug;
@@ -9,21 +9,21 @@ use cmra_engine::model::run::{ContactMode, EventKind, Run, Sample};
 use cmra_engine::model::scene::{ContactModel, Scene, SpringKind};
 use cmra_engine::numerics::larger;
 
-/// Distance to the stop, relative to its position and the plate's thickness, below which a jump of the velocity is an impact on it.
+/// Distance from the stop, relative to its position and the plate's thickness, below which a velocity jump is an impact on the stop.
 const AT_STOP: f64 = 1e-6;
 
-/// Energies at a moment, J.
+/// Energies at a time, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Energies {
     /// Kinetic energy of the projectile.
     pub projectile_j: f64,
-    /// Kinetic energy of the plug that it has sheared out of the plate.
+    /// Kinetic energy of the plug.
     pub plug_j: f64,
     /// Work of penetration.
     pub target_j: f64,
-    /// Kinetic energy of the plate and of all that moves with it.
+    /// Kinetic energy of the plate and the parts that move with it.
     pub plate_j: f64,
-    /// Energy stored in the springs, and spent on crushing an absorber.
+    /// Energy stored in the springs, and work of crushing an absorber.
     pub spring_j: f64,
     /// Work of the damper.
     pub damper_j: f64,
@@ -34,13 +34,13 @@ pub struct Energies {
 }
 
 impl Energies {
-    /// Energies at a time, linear between the rows of the series; those of the last row after its end. `None` without a series.
+    /// Returns the energies at a time, linear between the rows of the series; after its end those of the last row. `None` without a series.
     pub fn at(run: &Run, t_s: f64) -> Option<Self> {
         let first = run.series.first()?;
         let books = Books::from_run(run);
         let mut crushed = Crushed::default();
         let mut now = books.kept(first, false, &mut crushed);
-        // A collision that takes no time has already happened at the first row.
+        // An instantaneous collision precedes the first row.
         now.target_j = run.ledger.initial_j() - now.sum_j();
         for pair in run.series.windows(2) {
             if pair[0].t_s > t_s {
@@ -56,7 +56,7 @@ impl Energies {
         Some(now)
     }
 
-    /// Energies with their names, in the order of a bar.
+    /// Returns the energies with their names, in the order of a bar.
     pub fn parts(&self) -> [(&'static str, f64); 8] {
         [
             ("projectile", self.projectile_j),
@@ -70,7 +70,7 @@ impl Energies {
         ]
     }
 
-    /// Sum of all energies, J.
+    /// Returns the sum of all energies, J.
     pub fn sum_j(&self) -> f64 {
         self.parts().iter().map(|part| part.1).sum()
     }
@@ -90,23 +90,23 @@ impl Energies {
     }
 }
 
-/// Masses and laws by which a scene's energies are booked.
+/// Masses and laws for the energy balance of a scene.
 struct Books<'a> {
     scene: &'a Scene,
     plate_kg: f64,
-    /// The plug with the time from which it moves with the projectile, kg and s.
+    /// Mass of the plug, kg, and the time from which it moves with the projectile, s.
     plug: Option<(f64, f64)>,
     spring: Spring,
     has_friction: bool,
-    /// Weight of the projectile along its axis, N; zero where it is not counted.
+    /// Weight of the projectile along its axis, N; zero if not counted.
     weight_n: f64,
 }
 
-/// The spring of an absorber after its latest crushing.
+/// State of an absorber's spring after its latest crushing.
 #[derive(Default)]
 struct Crushed {
     farthest_m: Option<f64>,
-    /// The displacement to which it is crushed, m, and the law from there on.
+    /// Crush displacement, m, and the law from there on.
     spring: Option<(f64, Spring)>,
 }
 
@@ -124,7 +124,7 @@ impl<'a> Books<'a> {
         Self { scene, plate_kg, plug, spring, has_friction, weight_n }
     }
 
-    /// Kinetic and spring energies of a row; once the plug is picked up it moves with the projectile, no longer with the plate.
+    /// Returns the kinetic and spring energies of a row. From its pick-up on the plug moves with the projectile instead of the plate.
     fn kept(&self, row: &Sample, is_picked_up: bool, crushed: &mut Crushed) -> Energies {
         let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
         let plug_kg = self.plug.filter(|_| is_picked_up).map_or(0.0, |plug| plug.0);
@@ -138,7 +138,7 @@ impl<'a> Books<'a> {
         }
     }
 
-    /// Work done on the springs up to a displacement, J.
+    /// Returns the work done on the springs up to a displacement, J.
     fn spring_j(&self, x_m: f64, crushed: &mut Crushed) -> f64 {
         let far_m = crushed.farthest_m.map_or(x_m, |far_m| larger(far_m, x_m));
         crushed.farthest_m = Some(far_m);
@@ -158,14 +158,14 @@ impl<'a> Books<'a> {
         self.spring.energy(far_m) - returned
     }
 
-    /// Energies of the later of two rows, where those of the earlier are known.
+    /// Computes the energies of the later of two rows from those of the earlier row.
     fn next(
         &self,
         now: &Energies,
         (from, to): (&Sample, &Sample),
         crushed: &mut Crushed,
     ) -> Energies {
-        // Of the two rows at that time the first is the one before.
+        // The first of two rows at the same time is before the jump.
         let is_after = |(_, t_s): (f64, f64)| to.t_s > t_s || (to.t_s >= t_s && from.t_s >= t_s);
         let kept = self.kept(to, self.plug.is_some_and(is_after), crushed);
         let mut next = Energies {
@@ -199,7 +199,7 @@ impl<'a> Books<'a> {
             }
             ContactMode::Fused | ContactMode::FreeFlight | ContactMode::Perforated => None,
         };
-        // What has a place of its own is integrated; the last place takes the remainder, so that the sum stays exact.
+        // Works with their own integral are integrated. The last part takes the remainder, so the sum is exact.
         if let Some(contact) = contact {
             let (stop_j, damper_j) =
                 (work_j(|row| row.stop_force_n), work_j(|row| row.damper_force_n));
@@ -214,13 +214,13 @@ impl<'a> Books<'a> {
         } else if is_pressed {
             next.stop_j += lost_j;
         } else {
-            // Rounding.
+            // Rounding error.
             next.target_j += lost_j;
         }
         next
     }
 
-    /// The place of energy that is lost at once.
+    /// Returns the part to which energy lost in a velocity jump is assigned.
     fn jump<'b>(&self, energies: &'b mut Energies, from: &Sample, to: &Sample) -> &'b mut f64 {
         let stop_m = self.scene.mechanism.stop.position_m.filter(|_| self.scene.is_sprung());
         let is_at_stop = stop_m.is_some_and(|stop_m| {
@@ -239,7 +239,7 @@ mod tests {
     use crate::study::testing::scene;
     use cmra_engine::model::simulate::Settings;
 
-    /// The ledger integrates every work by Gauss's rule on the steps of the run.
+    /// The ledger integrates each work by Gauss's rule on the steps of the run.
     #[test]
     fn valid_energies_sum_to_that_of_the_start_and_end_as_the_ledger_has_them() {
         for text in [
@@ -262,7 +262,7 @@ mod tests {
             "spring=crush",
             "weight=on v_i=2 k=1e4",
         ] {
-            // Up to a horizon, so that the ledger is that of the last row.
+            // Run to a horizon, so that the ledger is at the time of the last row.
             let text = format!("{text} horizon=2ms");
             let run = run_with(&scene(&text), Settings::SERIES).unwrap();
             let initial_j = run.ledger.initial_j();
@@ -270,7 +270,7 @@ mod tests {
             for part in 0..=50 {
                 let energies = Energies::at(&run, end_s * f64::from(part) / 50.0).unwrap();
                 let sum = energies.sum_j() / initial_j;
-                // A weight goes on giving.
+                // A weight continues to add energy.
                 let is_whole = run.scene.projectile.weight || (sum - 1.0).abs() < 1e-12;
                 assert!(is_whole, "{text}: {sum}");
                 for (name, value_j) in energies.parts() {

@@ -1,4 +1,4 @@
-//! The pictures of a run and of sweeps, and the axes and maps of any sweep.
+//! Pictures of a run and of sweeps, and the axes and maps of a sweep.
 
 use std::borrow::Cow;
 
@@ -11,12 +11,12 @@ pub mod impact;
 pub mod run;
 pub mod sweeps;
 
-/// Values of a list that are this many times apart stand on a logarithmic axis.
+/// Ratio of the values of a list above which its axis is logarithmic.
 const WIDE: f64 = 30.0;
-/// Cells of a map along an axis whose values are a list.
+/// Cells of a map along an axis with listed values.
 const LIST_CELLS: u32 = 60;
 
-/// An axis of a sweep as one of a picture.
+/// Converts an axis of a sweep to an axis of a picture.
 pub fn axis_of(axis: &sweep::Axis) -> Axis<'static> {
     let (from, to) = axis.ends();
     let view = ViewRange::new(from, to);
@@ -24,7 +24,7 @@ pub fn axis_of(axis: &sweep::Axis) -> Axis<'static> {
     Axis::new(axis.symbol(), view).scale(scale_of(axis)).unit(unit)
 }
 
-/// A map over two axes of a sweep, with what is at each of its points.
+/// Creates a map over two axes of a sweep from the cells of its points.
 pub fn map_over(
     title: impl Into<Cow<'static, str>>,
     x: &sweep::Axis,
@@ -38,7 +38,7 @@ pub fn map_over(
     Map::new(title, (axis_of(x), axis_of(y)), counts, levels, cell)
 }
 
-/// The column of a map that shows a point of an axis.
+/// Returns the column of a map that shows a point of an axis.
 pub fn column_of(axis: &sweep::Axis, point: usize) -> Option<usize> {
     places(axis).iter().position(|at| *at == point)
 }
@@ -52,8 +52,7 @@ fn scale_of(axis: &sweep::Axis) -> Scale {
     }
 }
 
-/// The point that each cell of a map shows, from the least value of an axis to the greatest: the point itself, or the nearest one
-/// of a list.
+/// Returns the point displayed in each cell of a map, in ascending order of the axis; for a list, the nearest point.
 fn places(axis: &sweep::Axis) -> Vec<usize> {
     let index = |at: u64| usize::try_from(at).unwrap_or(usize::MAX);
     let (from, to) = axis.ends();

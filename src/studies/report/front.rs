@@ -1,4 +1,4 @@
-//! Pareto fronts: one row for each design, and the whole as an object. SI, percent for percentages.
+//! Report of a Pareto front: a table with one row for each design, and an object. SI, percent for percentages.
 
 use serde_json::{Value, json};
 
@@ -12,11 +12,11 @@ use cmra_engine::model::library;
 use cmra_engine::model::run::{Outcome, Warning};
 use cmra_engine::model::units::{significant, velocity};
 
-/// The constraint that is kept unless a search is without it.
+/// Constraint of a search unless it is switched off.
 pub const FEASIBLE: &str =
     "feasible: the shot is stopped, and no warning that the answer errs on the unsafe side";
 
-/// Warnings about the rows: those of a single best design; of a front how many designs are outside validity.
+/// Returns warnings about the rows: those of a single best design; for a front, the number of designs outside validity.
 pub fn warnings(front: &FrontReport) -> Vec<Warning> {
     let (scene, request) = (&front.base, &front.request);
     let known: Vec<Warning> = library::warnings(scene).collect();
@@ -35,7 +35,7 @@ pub fn warnings(front: &FrontReport) -> Vec<Warning> {
     warnings
 }
 
-/// Why a front without designs has none: objectives that do not exist, and checks that designs fail.
+/// Explains why a front is empty: objectives that do not exist, and checks that designs fail.
 pub fn lacks(front: &FrontReport) -> Vec<String> {
     if !front.designs.is_empty() {
         return Vec::new();
@@ -67,7 +67,7 @@ pub fn lacks(front: &FrontReport) -> Vec<String> {
     front.lacks.iter().map(say).chain(infeasible).chain(unstopped).collect()
 }
 
-/// The designs of a front.
+/// Returns the table of the designs of a front.
 pub fn table<'c>(name: &'c str, front: &'c FrontReport) -> Table<'c, usize> {
     let of = move |at: &usize| &front.designs[*at];
     let mut table = Table::new(0..front.designs.len())
@@ -82,7 +82,7 @@ pub fn table<'c>(name: &'c str, front: &'c FrontReport) -> Table<'c, usize> {
         table = table.with(measure.name, measure.heading(), "", value);
         table = table.shown(|_, value| Some(measure.show(value.as_f64()?, 4)));
     }
-    // Where the interface holds there is nothing to say.
+    // The column is needed only if an interface exceeds its limit load.
     let first = front.request.objectives[0].measure;
     let plastic = move |row: &usize| Some(of(row).plastic?.message(first));
     let verdict = move |row: &usize| Verdict::from_scene(&front.scene(of(row))).decision.word();
@@ -92,7 +92,7 @@ pub fn table<'c>(name: &'c str, front: &'c FrontReport) -> Table<'c, usize> {
     table.with("plastic", "on a plastic interface", "", plastic)
 }
 
-/// The columns that a page has of a front: numbers, outcome and verdict, and the plastic interface where a fused one does not hold.
+/// Returns the columns of a page: numbers, outcome and verdict, and the plastic interface if a fused one exceeds its limit load.
 pub fn page_keys(front: &FrontReport) -> Vec<&'static str> {
     let axes = front.request.over.iter().map(Axis::symbol);
     let measures = front.request.measures().into_iter().map(|it| it.name);
@@ -101,7 +101,7 @@ pub fn page_keys(front: &FrontReport) -> Vec<&'static str> {
     axes.chain(measures).chain(ends).collect()
 }
 
-/// Everything, as one object; null for what does not exist.
+/// Returns the whole report as an object; null for values that do not exist.
 pub fn json(name: &str, front: &FrontReport, reach: Reach) -> Value {
     let request = &front.request;
     let variables = request.over.iter().map(|axis| {

@@ -1,4 +1,4 @@
-//! The law of a run's mechanism over the plate's displacement: force, stiffness and stress, and what the run used of it.
+//! Law of a run's mechanism over the plate displacement: force, stiffness, stress, and the range used by the run.
 
 use std::sync::Arc;
 
@@ -8,10 +8,10 @@ use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::{larger, smaller};
 
-/// How far the law is drawn, over how far the plate came, and up to which multiple of it the yield point is still shown.
+/// Drawn range of the law over the maximum displacement; a yield point within this multiple of the displacement is shown.
 const BEYOND: f64 = 1.15;
 const YIELD_SHOWN: f64 = 2.5;
-/// Points of a drawn law.
+/// Number of points of a drawn law.
 const POINTS: u32 = 400;
 
 /// Springs and elastic stop of a run.
@@ -24,7 +24,7 @@ pub struct Law {
 }
 
 impl Law {
-    /// The law of a run whose plate moved; `None` without a spring and an elastic stop.
+    /// Creates the law of a run whose plate moved; `None` without spring and elastic stop.
     pub fn from_run(run: &Run) -> Option<Self> {
         let scene = Arc::clone(&run.scene);
         let mechanism = Mechanism::from_scene(&scene);
@@ -39,14 +39,14 @@ impl Law {
         Some(Self { scene, mechanism, start_m, reached_m, yield_m })
     }
 
-    /// Stiffness of the elastic stop and how deep it is pressed in, where it acts.
+    /// Returns the stiffness and compression of the elastic stop; `None` without contact.
     fn stop(&self, x_m: f64) -> Option<(f64, f64)> {
         let stop = self.mechanism.elastic_stop()?;
         let pressed_m = x_m - stop.position_m?;
         (pressed_m > 0.0).then_some((stop.stiffness_n_m, pressed_m))
     }
 
-    /// Force of springs and elastic stop on the mount, N.
+    /// Returns the force of springs and elastic stop on the mount, N.
     pub fn force(&self, x_m: f64) -> f64 {
         let stopped = self.stop(x_m).map_or(0.0, |(stiffness, depth_m)| stiffness * depth_m);
         self.mechanism.spring.force(x_m) + stopped
@@ -57,12 +57,12 @@ impl Law {
         self.mechanism.spring.tangent(x_m) + self.stop(x_m).map_or(0.0, |(stiffness, _)| stiffness)
     }
 
-    /// The greatest stress over the yield strength; NaN where no spring has a strength.
+    /// Returns the maximum stress over the yield strength; NaN if no spring has a strength.
     pub fn stress(&self, x_m: f64) -> f64 {
         load::stress_ratio(&self.scene, x_m).unwrap_or(f64::NAN)
     }
 
-    /// The displacements over which it is drawn, m: from the cocked or neutral position to beyond what the run reached.
+    /// Returns the drawn displacement range, m: from the cocked or neutral position to beyond the maximum of the run.
     pub fn range_m(&self) -> (f64, f64) {
         let end_m = self.yield_m.map_or(self.reached_m, |at| larger(at, self.reached_m));
         let low_m = smaller(self.start_m, 0.0);

@@ -1,4 +1,4 @@
-//! A ballistic limit: one row for each shot, and the whole as an object. SI.
+//! Report of a ballistic limit: a table with one row for each shot, and an object. SI.
 
 use serde_json::{Value, json};
 
@@ -20,14 +20,14 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{engineering, fixed_significant, significant, velocity};
 
 const LAW_POINTS: usize = 400;
-/// The scene's velocity is in view up to a given number of limits.
+/// Ratio of the scene's velocity to the limit up to which the chart shows the velocity.
 const OWN_IN_VIEW: f64 = 4.0;
-/// Limits of a second and a third hit over the first.
+/// Limits of a second and third hit relative to the first.
 const REPEATED: &str = "second and third hit at one place: about 0.59 and 0.46 of the first limit (finite elements, Qiang 2022; no measurement)";
-/// Residual velocity just above the limit, as a part of the impact velocity, from which on the plate's own motion explains it.
+/// Ratio of the residual velocity just above the limit to the impact velocity, above which the plate's own motion explains it.
 const CARRIED: f64 = 0.2;
 
-/// Everything but the limit itself, in words.
+/// Returns all remarks on a limit, in words.
 pub fn remarks(report: &LimitReport) -> Vec<Remark> {
     let mut remarks = Vec::new();
     if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
@@ -98,7 +98,7 @@ pub fn taken_to_hold(report: &LimitReport) -> Option<Remark> {
     is_so.then(|| Remark::new("mechanism", text))
 }
 
-/// Why the residual velocity begins far above zero, which no law of the curve knows; `None` where it does not.
+/// Explains a residual velocity that starts far above zero, which the laws of the curve do not describe; `None` for other limits.
 fn carried(report: &LimitReport) -> Option<String> {
     let limit_m_s = report.limit.velocity_m_s()?;
     if let Some(back) = report.residual_at_limit_m_s.filter(|it| *it < 0.0) {
@@ -114,7 +114,7 @@ fn carried(report: &LimitReport) -> Option<String> {
     ))
 }
 
-/// The load of the mechanism at the limit; `None` if unknown.
+/// Describes the load of the mechanism at the limit; `None` if unknown.
 fn load(run: &Run) -> Option<String> {
     let part = |label: &str, name| {
         let quantity = find(name)?;
@@ -130,7 +130,7 @@ fn load(run: &Run) -> Option<String> {
     (!known.is_empty()).then(|| known.join(", "))
 }
 
-/// Warnings about the rows: those of the shot at the limit, without a limit of the scene's own.
+/// Returns warnings about the rows, from the shot at the limit; about the scene's own shot if there is no limit.
 pub fn warnings(report: &LimitReport) -> Vec<Warning> {
     let at_limit = report.at_limit.as_ref().map(envelope::warnings);
     at_limit.unwrap_or_else(|| validity::of_scene(&report.scene))
@@ -143,7 +143,7 @@ pub fn meaning(report: &LimitReport) -> Vec<Remark> {
     remarks.into_iter().filter(|_| is_found).collect()
 }
 
-/// The answer to "does it stop this shot?" in a line, from the longest to the shortest.
+/// Answers "does it stop this shot?" in one line, in versions from the longest to the shortest.
 pub fn headlines(scene: &Scene, limit: Limit, condition: &str) -> Vec<String> {
     let own_m_s = scene.projectile.velocity_m_s;
     let own = format!("{} m/s", significant(own_m_s, 4));
@@ -165,7 +165,7 @@ pub fn headlines(scene: &Scene, limit: Limit, condition: &str) -> Vec<String> {
         return vec![format!("{answer}; law {law}"), answer];
     }
     let margin = 100.0 * (velocity_m_s / own_m_s - 1.0);
-    // Where a faster shot is stopped again, being beyond the limit tells nothing.
+    // If a faster shot is stopped again, a velocity above the limit does not decide the outcome.
     let answer = match (margin < 0.0, stopped_at_m_s) {
         (false, _) if !is_stopped_by_every_closure(scene) => {
             format!("{own} is stopped by this rule, not by the lowest")
@@ -183,7 +183,7 @@ pub fn headlines(scene: &Scene, limit: Limit, condition: &str) -> Vec<String> {
     vec![full.clone() + condition, full, short]
 }
 
-/// The verdict on the scene's shot in a sentence.
+/// Returns the verdict on the scene's shot as a sentence.
 pub fn answer(report: &LimitReport) -> String {
     let own_m_s = report.scene.projectile.velocity_m_s;
     let by_law = match report.limit {
@@ -198,7 +198,7 @@ pub fn answer(report: &LimitReport) -> String {
     verdict::sentence(&report.scene, &report.verdict(), by_law)
 }
 
-/// The limits by each closure.
+/// Describes the limits by each closure.
 fn closures(closures: &Closures) -> String {
     let shown = |value: Option<f64>, drag: f64| {
         let limit = value.map_or_else(|| "none".to_owned(), |it| velocity(it, 4));
@@ -216,7 +216,7 @@ fn closures(closures: &Closures) -> String {
     )
 }
 
-/// The shots, in order of velocity, with what each fitted law says and the limit.
+/// Returns the table of the shots, sorted by velocity, with the values of each fitted law and the limit.
 pub fn shots<'c>(name: &'c str, report: &'c LimitReport) -> Table<'c, &'c Shot> {
     let limit_m_s = report.limit.velocity_m_s();
     Table::new(&report.shots)
@@ -229,7 +229,7 @@ pub fn shots<'c>(name: &'c str, report: &'c LimitReport) -> Table<'c, &'c Shot> 
         .field("limit_velocity_m_s", move |_| limit_m_s)
 }
 
-/// Everything, as one object; null for what does not exist.
+/// Returns the whole report as an object; null for values that do not exist.
 pub fn json(name: &str, report: &LimitReport) -> Value {
     let (basis, stopped) = match report.limit {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
@@ -259,7 +259,7 @@ pub fn json(name: &str, report: &LimitReport) -> Value {
         "undecided_at_m_s": report.undecided_at_m_s(),
         "impact_velocity_m_s": report.scene.projectile.velocity_m_s,
         "interface_holds_m_s": report.interface_holds_m_s,
-        // A shot that comes back has none.
+        // A rebounding shot has no residual velocity.
         "residual_at_limit_m_s": report.residual_at_limit_m_s.filter(|it| *it >= 0.0),
         "margin": report.margin(),
         "caution": report.caution(),
@@ -279,19 +279,19 @@ pub fn json(name: &str, report: &LimitReport) -> Value {
     object
 }
 
-/// The chart of the residual velocity over the impact velocity, with a mark at a scene's own; `None` where nothing goes through.
+/// Returns the chart of residual over impact velocity with a mark at the scene's own velocity; `None` if no shot perforates.
 pub fn residual(report: &LimitReport, own_m_s: f64) -> Option<Chart<'static>> {
     let limit = report.limit.velocity_m_s();
     let impacts = report.shots.iter().map(|shot| shot.impact_m_s);
     let own = limit.filter(|limit| own_m_s < OWN_IN_VIEW * limit).map(|_| own_m_s);
-    // Without a limit the shots cover decades.
+    // Without a limit the shots cover several decades.
     let scale = if limit.is_some() { Scale::Linear } else { Scale::Log10 };
     let x = Axis::over("impact velocity", "m/s", scale, impacts.chain(own))?;
     let residuals = report.shots.iter().filter_map(|shot| shot.residual_m_s);
     let y = Axis::over("residual velocity", "m/s", Scale::Linear, residuals)?;
     let unit = || Unit::new("m/s");
     let (x, y) = (x.unit(unit()), y.with_zero().padded(0.04).unit(unit()));
-    // Before its limit a law is nothing.
+    // A law is undefined below its limit.
     let law = |law: Option<ResidualLaw>| {
         let Some(law) = law else { return Vec::new() };
         let step = x.view.span() / LAW_POINTS as f64;
@@ -330,7 +330,7 @@ mod tests {
     use crate::study::limit;
     use cmra_engine::model::variables::changed_free_plate;
 
-    /// Residual velocities just above the limit. A free plate has half of the limit, 347.708 m/s; the second value is from two independent
+    /// Residual velocities just above the limit. A free plate has half of the limit, 347.708 m/s. The second value is from two independent
     /// integrations at `v_bl (1 + 1e-9)`.
     #[test]
     fn valid_the_residual_velocity_just_above_the_limit_is_that_of_its_shot() {

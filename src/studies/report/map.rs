@@ -1,4 +1,4 @@
-//! Maps as plain data: a value or a letter at every point of a grid, bands of equal values, a contour.
+//! Maps as plain data: a value or a letter at every point of a grid, bands of values, and a contour.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -6,95 +6,95 @@ use std::fmt;
 use crate::report::chart::Axis;
 use crate::report::chart::levels::Levels;
 
-/// How a letter stands out.
+/// Emphasis of a letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tone {
-    /// Little: there is just no value.
+    /// Faint: the value does not exist.
     Faint,
-    /// As other text.
+    /// Plain text.
     Plain,
-    /// As a warning.
+    /// Warning.
     Warning,
-    /// As an error.
+    /// Error.
     Error,
 }
 
-/// The content of a point of a map.
+/// Content of a point of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
-    /// A value.
+    /// Value at the point.
     Value(f64),
-    /// No value, and the letter that says why.
+    /// Letter for the reason why there is no value.
     Mark(char, Tone),
-    /// Not computed.
+    /// Point not computed.
     Empty,
 }
 
-/// Letter of a map, and what it means.
+/// Letter of a map with its meaning.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct MapMark {
-    /// The letter; a blank where the point is left blank.
+    /// Letter; a blank for points left blank.
     pub letter: char,
     /// Meaning in a few words.
     pub label: Cow<'static, str>,
-    /// Rest of the meaning, from its punctuation mark on, for the printed page; may be empty.
+    /// Rest of the meaning for the printed page, starting with its punctuation mark; may be empty.
     pub more: &'static str,
 }
 
 impl MapMark {
-    /// Creates a mark whose label says all.
+    /// Creates a mark with a complete label.
     pub fn new(letter: char, label: impl Into<Cow<'static, str>>) -> Self {
         Self { letter, label: label.into(), more: "" }
     }
 
-    /// The whole meaning.
+    /// Returns the full meaning.
     pub fn meaning(&self) -> String {
         format!("{}{}", self.label, self.more)
     }
 }
 
 impl fmt::Display for MapMark {
-    /// Formats letter and whole meaning.
+    /// Writes the letter and the full meaning.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // A blank is named.
+        // Write a blank as a word.
         let blank = if self.letter == ' ' { "blank: " } else { "" };
         write!(f, "{} {blank}{}", self.letter, self.meaning())
     }
 }
 
-/// A map. Points are spread evenly over both axes, from their lower to their upper bound.
+/// Map on a regular grid. Points are evenly spaced along both axes, from lower to upper bound.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Map<'a> {
     /// Title of the map.
     pub title: Cow<'a, str>,
-    /// The unit of the values; empty for pure numbers.
+    /// Unit of the values; empty for pure numbers.
     pub unit: &'static str,
-    /// The horizontal axis.
+    /// Horizontal axis.
     pub x: Axis<'a>,
-    /// The vertical axis.
+    /// Vertical axis.
     pub y: Axis<'a>,
-    /// Points along them.
+    /// Numbers of points along the two axes.
     pub counts: (usize, usize),
-    /// The points, from the lower left one; the horizontal axis runs fastest.
+    /// Points, starting at the lower left; the horizontal axis varies fastest.
     pub cells: Vec<Cell>,
-    /// The bands of the values; `None` where there is no value.
+    /// Bands of the values; `None` if there are none.
     pub levels: Option<Levels>,
-    /// A contour at this value, and what it means.
+    /// Value of the contour, and its meaning.
     pub contour: Option<(f64, MapMark)>,
-    /// Values with their texts, written where neighbouring values lie on both sides, those first that come first.
+    /// Values with texts, written where neighbouring values lie on both sides; earlier entries have priority.
     pub labels: Vec<(f64, String)>,
-    /// A point to be seen, and its letter.
+    /// Highlighted point, and its letter.
     pub present: Option<((usize, usize), char)>,
-    /// The meaning of the letters.
+    /// Meanings of the letters.
     pub marks: Vec<MapMark>,
-    /// The point under the cursor.
+    /// Point under the cursor.
     pub cursor: Option<(usize, usize)>,
-    /// Whether it has the keys.
+    /// Whether the map has the keyboard focus.
     pub focused: bool,
 }
 
 impl<'a> Map<'a> {
-    /// A map of points counted from the lower left one, with these bands of values.
+    /// Creates a map from points, starting at the lower left, with these bands of values.
     pub fn new(
         title: impl Into<Cow<'a, str>>,
         (x, y): (Axis<'a>, Axis<'a>),
@@ -107,12 +107,12 @@ impl<'a> Map<'a> {
         Self { title: title.into(), x, y, counts, cells, levels, ..Self::default() }
     }
 
-    /// The point in a column and a row from the lower left one.
+    /// Returns the point in a column and row, counted from the lower left.
     pub fn cell(&self, column: usize, row: usize) -> Cell {
         self.cells.get(row * self.counts.0 + column).copied().unwrap_or(Cell::Empty)
     }
 
-    /// All values.
+    /// Iterates over all values.
     pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
         self.cells.iter().filter_map(|cell| match cell {
             Cell::Value(value) => Some(*value).filter(|value| value.is_finite()),

@@ -1,4 +1,4 @@
-//! Measured limits beside computed ones: a row for each measurement, a line for each class, and the picture of both. SI.
+//! Report of measured and computed limits: a row for each measurement, a line for each class, and a picture. SI.
 
 use serde_json::{Value, json};
 
@@ -8,10 +8,10 @@ use crate::report::verdict;
 use crate::study::measured::{Errors, OUTPUTS, Row, errors};
 use crate::study::quantities::find;
 
-/// Markers of the classes in the picture, the largest class first.
+/// Markers of the classes in the picture; the largest class comes first.
 const MARKERS: [char; 8] = ['o', 'x', '+', 's', 'd', '*', 'v', 'm'];
 
-/// The measurements with what is computed for each.
+/// Returns the table of measurements with their computed values.
 pub fn rows(rows: &[Row]) -> Table<'_, &Row> {
     let measured = |row: &&Row| row.measurement.measured;
     let table = Table::new(rows)
@@ -49,7 +49,7 @@ pub fn rows(rows: &[Row]) -> Table<'_, &Row> {
         .with("refused", "", "", |row| row.computed.as_ref().err().cloned())
 }
 
-/// The columns of a page of rows: those of quantities that were measured.
+/// Returns the columns of a page: those of measured quantities.
 pub fn page_keys(rows: &[Row]) -> Vec<&'static str> {
     let limit = [
         "measured_limit_m_s",
@@ -78,7 +78,7 @@ pub fn page_keys(rows: &[Row]) -> Vec<&'static str> {
     keys
 }
 
-/// The errors by class, and of all rows.
+/// Returns the table of errors by class and for all rows.
 pub fn error_table(list: &[Errors]) -> Table<'_, &Errors> {
     Table::new(list)
         .field("class", |it| it.group.as_deref().unwrap_or("all"))
@@ -92,7 +92,7 @@ pub fn error_table(list: &[Errors]) -> Table<'_, &Errors> {
         .field("share_inside_band", |it| it.share_inside())
 }
 
-/// The errors by class as lines of a page, the class last.
+/// Formats the errors by class as lines of a page, with the class in the last column.
 pub fn error_lines(list: &[Errors]) -> String {
     let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
     let line = |it: &Errors| {
@@ -116,7 +116,7 @@ pub const ERRORS_MEAN: &str = "from: number of papers; bias and sd: mean and sta
      absolute error, m/s; RMS: root mean square error, m/s; inside: part of the limits inside their 90 % band. Positive bias is \
      unconservative.";
 
-/// Everything, as one object.
+/// Returns the whole report as an object.
 pub fn json(list: &[Row]) -> Value {
     let refused = list.iter().filter(|row| row.computed.is_err()).count();
     json!({
@@ -126,7 +126,7 @@ pub fn json(list: &[Row]) -> Value {
     })
 }
 
-/// Rows that cannot be computed, a line each.
+/// Lists the rows that cannot be computed, one per line.
 pub fn refusals(list: &[Row]) -> Vec<String> {
     let refused = list.iter().filter_map(|row| {
         let why = row.computed.as_ref().err()?;
@@ -135,7 +135,7 @@ pub fn refusals(list: &[Row]) -> Vec<String> {
     refused.collect()
 }
 
-/// The picture: computed over measured, by class; `None` without a measured limit.
+/// Returns the chart of computed over measured limits, by class; `None` without a measured limit.
 pub fn picture(list: &[Row]) -> Option<Chart<'static>> {
     let points = |row: &Row| Some((row.measurement.measured.limit_m_s?, 1.0 + row.limit_error()?));
     let all: Vec<(f64, f64)> = list.iter().filter_map(points).collect();

@@ -1,4 +1,4 @@
-//! A Monte Carlo study: one row for each quantity, and the whole as an object. SI, percent for percentages.
+//! Report of a Monte Carlo study: a table with one row for each quantity, and an object. SI, percent for percentages.
 
 use serde_json::{Map, Value, json};
 
@@ -17,7 +17,7 @@ use cmra_engine::model::units::significant;
 
 const DIGITS: usize = 4;
 
-/// Warnings about the rows.
+/// Returns the warnings about the rows.
 pub fn warnings(scene: &Scene, report: &MonteCarloReport) -> Vec<Warning> {
     let mut warnings = validity::of_scene(scene);
     let measures: Vec<_> = report.summaries.iter().map(|it| it.measure).collect();
@@ -39,7 +39,7 @@ fn without_limit(report: &MonteCarloReport) -> Option<Warning> {
     })
 }
 
-/// The error of the model that limit velocities are corrected for; `None` where there is none.
+/// Describes the model error by which limit velocities are corrected; `None` if there is none.
 pub fn model_error(report: &MonteCarloReport) -> Option<String> {
     let ModelError { bias, spread } = report.model;
     let (bias, spread) = (100.0 * bias, 100.0 * spread);
@@ -51,7 +51,7 @@ pub fn model_error(report: &MonteCarloReport) -> Option<String> {
     })
 }
 
-/// The name of a quantity, and whether the error of the model is in it where that can be.
+/// Returns the name of a quantity; states whether it includes the model error if it can.
 fn title(report: &MonteCarloReport, summary: &Summary) -> String {
     let is_bare = summary.measure.name == LIMIT && !summary.has_model_error;
     let bare = if is_bare && report.model != ModelError::default() {
@@ -62,7 +62,7 @@ fn title(report: &MonteCarloReport, summary: &Summary) -> String {
     summary.measure.title() + bare
 }
 
-/// V50 with its spread, as a line; `None` without a limit.
+/// Formats V50 with its spread in one line; `None` without a limit.
 pub fn v50(report: &MonteCarloReport) -> Option<String> {
     let mut each = report.summaries.iter().filter(|it| it.measure.name == LIMIT);
     let shown = |it: &Summary| {
@@ -79,7 +79,7 @@ pub fn v50(report: &MonteCarloReport) -> Option<String> {
     })
 }
 
-/// Columns of the quantiles: key, heading, part of the values below it.
+/// Columns of the quantiles: key, heading, probability.
 const QUANTILES: [(&str, &str, f64); 7] = [
     ("q01", "1 %", 0.01),
     ("q05", "5 %", 0.05),
@@ -90,9 +90,9 @@ const QUANTILES: [(&str, &str, f64); 7] = [
     ("q99", "99 %", 0.99),
 ];
 
-/// The quantities.
+/// Returns the table of the quantities.
 pub fn table<'c>(name: &'c str, report: &'c MonteCarloReport) -> Table<'c, &'c Summary> {
-    // Each row has the unit of its quantity.
+    // Each row uses the unit of its quantity.
     let in_unit =
         |it: &&Summary, value: &Value| Some(it.measure.show_all_digits(value.as_f64()?, DIGITS));
     let table = Table::new(&report.summaries)
@@ -120,12 +120,12 @@ pub fn table<'c>(name: &'c str, report: &'c MonteCarloReport) -> Table<'c, &'c S
         .with("seed", "seed", "", |_| report.seed)
 }
 
-/// How many samples without physical sense were drawn again; `None` for none.
+/// Describes how many samples without physical sense were drawn again; `None` for none.
 pub fn drawn_again(count: usize) -> Option<String> {
     (count > 0).then(|| format!("{count} impossible samples drawn again"))
 }
 
-/// How probable a perforation is, where that is known.
+/// Describes the probability of perforation; `None` if unknown.
 pub fn perforation(report: &MonteCarloReport) -> Option<String> {
     let found = report.perforated?;
     let [part, low, high] =
@@ -133,7 +133,7 @@ pub fn perforation(report: &MonteCarloReport) -> Option<String> {
     Some(format!("perforated: {part} % of the shots (95 % confidence: {low} to {high} %)"))
 }
 
-/// Everything, as one object; null for what does not exist.
+/// Returns the whole report as an object; null for values that do not exist.
 pub fn json(name: &str, report: &MonteCarloReport, verdict: &Verdict, reach: Reach) -> Value {
     let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
         let Distribution(kind, (first, second)) = tolerance.distribution;

@@ -1,5 +1,4 @@
-//! Runs: their course in time, their results and their events as tables, and one run as a JSON object. SI, null where a quantity
-//! does not exist.
+//! Report of runs: time series, results and events as tables, and a run as a JSON object. SI; null for quantities that do not exist.
 
 use std::sync::Arc;
 
@@ -19,10 +18,10 @@ use cmra_engine::model::variables::{self, VARIABLES, Variable};
 
 pub mod page;
 
-/// A run and the name it goes by (`now`, `A`, ...).
+/// Run with its name (`now`, `A`, ...).
 pub type NamedRun = (String, Arc<Run>);
 
-/// A number of the series.
+/// Column of the time series: its key and value.
 type Column = (&'static str, fn(&Sample) -> f64);
 
 const NUMBERS: [Column; 10] = [
@@ -38,11 +37,11 @@ const NUMBERS: [Column; 10] = [
     ("stop_force_n", |row| row.stop_force_n),
 ];
 
-/// The course of some runs as CSV, with the name of the run in the first column where there are several.
+/// Writes the time series of runs as CSV, with the name of the run in the first column if there are several.
 pub fn csv(runs: &[NamedRun]) -> String {
     let events = |(_, run): &NamedRun| placed(&run.series, &run.events);
     let events: Vec<Vec<(usize, String)>> = runs.iter().map(events).collect();
-    // A run, and a row of it.
+    // Pairs of a run and one of its rows.
     let rows = runs.iter().enumerate();
     let rows = rows.flat_map(|(at, (_, run))| (0..run.series.len()).map(move |row| (at, row)));
     let sample = |at: &(usize, usize)| &runs[at.0].1.series[at.1];
@@ -63,7 +62,7 @@ pub fn csv(runs: &[NamedRun]) -> String {
     table.field("event", event).csv()
 }
 
-/// Each event in the first row at or after its time, else in the last.
+/// Assigns each event to the first row at or after its time, else to the last row.
 fn placed(samples: &[Sample], events: &[Event]) -> Vec<(usize, String)> {
     let mut rows: Vec<(usize, String)> = Vec::new();
     for event in events.iter().filter(|_| !samples.is_empty()) {
@@ -76,7 +75,7 @@ fn placed(samples: &[Sample], events: &[Event]) -> Vec<(usize, String)> {
     rows
 }
 
-/// The results of some runs of a scene of this name, a row each.
+/// Returns the table of the results of runs of a named scene, one row each.
 pub fn results<'r>(scene: &'r str, runs: &'r [NamedRun]) -> Table<'r, &'r NamedRun> {
     let table = Table::new(runs)
         .field("run", |it| it.0.as_str())
@@ -88,10 +87,10 @@ pub fn results<'r>(scene: &'r str, runs: &'r [NamedRun]) -> Table<'r, &'r NamedR
     of_runs().fold(table, |table, quantity| table.field(quantity.name, |it| quantity.value(&it.1)))
 }
 
-/// A run beside others: its name, and the run or why there is none, in a word.
+/// Name of a compared run, with the run or a word for the reason why there is none.
 pub type Compared<'c> = (String, Result<&'c Run, &'static str>);
 
-/// Runs beside each other, each number in the unit of its heading.
+/// Returns the table that compares runs, each number in the unit of its heading.
 pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c, Compared<'c>> {
     let outcome =
         |it: &Compared<'_>| it.1.map_or_else(|word| word, |run| run.shot_outcome().word());
@@ -109,7 +108,7 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
     column(table, "peak_mount_force_n", "mount kN", 1e-3, |_| None)
 }
 
-/// With a quantity, shown times a factor, or as a text where it has one.
+/// Adds a column of a quantity times a factor; uses its text on pages if there is one.
 fn column<'c>(
     table: Table<'c, Compared<'c>>,
     name: &'static str,
@@ -128,7 +127,7 @@ fn is_perforated(run: &Run) -> bool {
     run.shot_outcome() == Outcome::Perforated
 }
 
-/// The depth, mm, and in brackets its part of that on a rigid mount, %.
+/// Formats the depth, mm, with its percentage of the depth on a rigid mount in brackets.
 fn depth(run: &Run) -> String {
     if is_perforated(run) {
         return "through".to_owned();
@@ -138,7 +137,7 @@ fn depth(run: &Run) -> String {
     format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
 }
 
-/// An object with the results of a run.
+/// Adds the results of a run to an object.
 fn with_results(mut object: Value, run: &Run) -> Value {
     for quantity in of_runs() {
         object[quantity.name] = result(run, quantity);
@@ -146,7 +145,7 @@ fn with_results(mut object: Value, run: &Run) -> Value {
     object
 }
 
-/// A run of a scene of this name as one object with its keys in the order a reader expects; `with` has its differences from traces.
+/// Writes a run of a named scene as a JSON object in reading order; `beside` adds the differences from traces.
 pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     let scene = &run.scene;
     let object = json!({
@@ -206,9 +205,9 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     pretty(&object)
 }
 
-/// The whole stack, and the results of every plate that was struck.
+/// Returns the object of a stack, with the results of every struck plate.
 fn stack_of(whole: &Run, stack: &StackRun) -> Value {
-    // The first plate by itself.
+    // The first plate alone.
     let scene = Scene { stack: Stack::default(), sweep: None, ..(*whole.scene).clone() };
     let first = Run { stack: None, scene: Arc::new(scene), ..whole.clone() };
     let plates = std::iter::once(&first).chain(stack.behind.iter().map(|run| &**run));
@@ -232,7 +231,7 @@ fn stack_of(whole: &Run, stack: &StackRun) -> Value {
     })
 }
 
-/// A result, or what it is at least.
+/// Returns a result, else its lower bound.
 fn result(run: &Run, quantity: &Quantity) -> Value {
     let value = quantity.value(run).or_else(|| quantity.lower_bound(run));
     if quantity.has(QuantityFlag::Whole) {
@@ -242,7 +241,7 @@ fn result(run: &Run, quantity: &Quantity) -> Value {
     value.into()
 }
 
-/// A part of the energy ledger: its name in JSON, its label on pages, and where it is found.
+/// Term of the energy ledger: its name in JSON, its label on pages, and its value.
 type LedgerPart = (&'static str, &'static str, fn(&EnergyLedger) -> f64);
 
 const ENERGY: [LedgerPart; 14] = [
@@ -261,10 +260,10 @@ const ENERGY: [LedgerPart; 14] = [
     ("shear", "plug sheared", |it| it.shear_j),
     ("stop", "stop", |it| it.stop_j),
 ];
-/// How many of them were there at the start.
+/// Number of terms present at the start.
 const AT_START: usize = 3;
 
-/// The input, by full key.
+/// Returns the values of all variables, by full key.
 fn all_variables(scene: &Scene) -> Value {
     let listed = |variable: &&Variable| {
         !variable.key.starts_with("mechanism.") || variables::is_listed(variable, scene)

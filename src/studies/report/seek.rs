@@ -1,4 +1,4 @@
-//! The answer of a goal seek: one row for each solution, jump, nearest miss or gap, and the whole as an object.
+//! Report of a goal seek: a table with one row for each solution, jump, nearest miss or gap, and an object.
 
 use serde_json::{Value, json};
 
@@ -15,7 +15,7 @@ use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::significant;
 
-/// Warnings about the rows: those of the solutions, and of the library's entries.
+/// Returns warnings about the rows: those of the solutions and of library entries.
 pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<Warning> {
     let mut warnings: Vec<Warning> = library::warnings(scene).collect();
     for (solution, checked) in report.solutions().zip(&report.checked) {
@@ -26,7 +26,7 @@ pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<Warning> {
     warnings
 }
 
-/// A solution in words, beside what the plastic interface gives where the fused one could not carry its load.
+/// Describes a solution; adds the result with a plastic interface if the fused one exceeds its limit load.
 pub fn solution(report: &SeekReport, solution: &SeekResult, checked: &DesignValidity) -> String {
     let axis = &report.axis;
     let at = axis.display(solution.place.at, 6);
@@ -34,7 +34,7 @@ pub fn solution(report: &SeekReport, solution: &SeekResult, checked: &DesignVali
     let reached = report.measure.show(solution.place.value, 6);
     let plastic = checked.plastic.map(|it| format!("; {}", it.message(report.measure)));
     let plastic = plastic.unwrap_or_default();
-    // Where no such shot was measured the outcome by the law is all that is known; the table has the word.
+    // Without measurements of such shots only the outcome by the law is available; the table states it.
     let verdict = match checked.verdict.decision {
         Decision::NotMeasured => String::new(),
         decision => format!("; verdict: {}", decision.word()),
@@ -42,7 +42,7 @@ pub fn solution(report: &SeekReport, solution: &SeekResult, checked: &DesignVali
     format!("{} = {at}: {reached}, {outcome}{plastic}{verdict}", axis.symbol())
 }
 
-/// Further remarks: that there is no solution, jumps over the goal, and where there is no value.
+/// Returns further remarks: a missing solution, jumps across the goal, and gaps without values.
 pub fn remarks(report: &SeekReport, reach: Reach) -> Vec<Remark> {
     let (axis, measure) = (&report.axis, report.measure);
     let at = |value: f64| axis.display(value, 6);
@@ -88,7 +88,7 @@ pub fn remarks(report: &SeekReport, reach: Reach) -> Vec<Remark> {
     remarks
 }
 
-/// The lines of the answer.
+/// Returns the table of the report.
 pub fn table<'c>(name: &'c str, report: &'c SeekReport) -> Table<'c, &'c SeekResult> {
     let verdict = |line: &SeekResult| {
         let at = report.solutions().position(|it| it == line)?;
@@ -115,7 +115,7 @@ pub fn table<'c>(name: &'c str, report: &'c SeekReport) -> Table<'c, &'c SeekRes
     expected_columns(table, move |line| verdict(line)?.expected.as_ref())
 }
 
-/// Everything, as one object; null for what does not exist.
+/// Returns the whole report as an object; null for values that do not exist.
 pub fn json(name: &str, report: &SeekReport, reach: Reach) -> Value {
     let fixed = ["scene", "variable", "key", "output", "target", "interface"];
     let list = |kind: Kind| {

@@ -1,4 +1,4 @@
-//! Report of the sensitivity study: a row for each variable, as a table with bars and as an object. SI.
+//! Report of the sensitivity study: a table with one row for each variable and bars, and an object. SI.
 
 use serde_json::{Value, json};
 
@@ -6,16 +6,16 @@ use crate::report::table::Table;
 use crate::study::sensitivity::{Effect, POINTS, SensitivityReport};
 use cmra_engine::model::units::{Dimension, in_unit, significant};
 
-/// Cells of a bar.
+/// Number of cells of a bar.
 pub const CELLS: usize = 8;
 
-/// Levels of a bar in ASCII, from zero to the end of the scale.
+/// Characters for the levels of a bar in ASCII, from zero to the end of the scale.
 pub const ASCII: [char; 8] = [' ', '.', ':', '-', '=', '+', '*', '#'];
 
-/// Levels of a bar in eighths of a block.
+/// Characters for the levels of a bar in eighths of a block.
 pub const BLOCKS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 
-/// The bar of an effect: a cell for each eighth of the range, its level by the common scale; blank where there is no result.
+/// Draws the bar of an effect: a cell for each eighth of the range, its level on the common scale; blank without a result.
 pub fn bar(effect: &Effect, scale: f64, levels: [char; 8]) -> String {
     let level = |value: f64| {
         let count = levels.len();
@@ -25,7 +25,7 @@ pub fn bar(effect: &Effect, scale: f64, levels: [char; 8]) -> String {
     effect.cells(CELLS).into_iter().map(|cell| cell.map_or(' ', level)).collect()
 }
 
-/// The variables, the greatest effect first; a row is a variable's place in the report.
+/// Returns the table of the variables, sorted by decreasing effect. A row is the index of a variable in the report.
 pub fn table<'c>(name: &'c str, report: &'c SensitivityReport) -> Table<'c, usize> {
     let effect = |at: &usize| &report.effects[*at];
     let axis = move |at: &usize| &effect(at).axis;
@@ -51,10 +51,10 @@ pub fn table<'c>(name: &'c str, report: &'c SensitivityReport) -> Table<'c, usiz
         .field("points", move |at| effect(at).computed())
 }
 
-/// The columns of [`page`], the most important first.
+/// Columns of [`page`], the most important first.
 pub const COLUMNS: [&str; 5] = ["variable", "bar", "span", "slope", "range"];
 
-/// The effects as words and bars, the greatest effect first: a bar `|  ..:-=#|`, and texts.
+/// Returns the table of a page, sorted by decreasing effect, with texts and a bar such as `|  ..:-=#|`.
 pub fn page(report: &SensitivityReport, levels: [char; 8]) -> Table<'_, usize> {
     let effect = |at: &usize| &report.effects[*at];
     let scale = report.scale();
@@ -69,21 +69,21 @@ pub fn page(report: &SensitivityReport, levels: [char; 8]) -> Table<'_, usize> {
         })
         .with("span", report.output.heading(), "", span)
         .with("slope", "here", "", move |at| {
-            // The unit stands beside the range.
+            // The range column shows the unit.
             slope_words(report, effect(at), &Shown { unit: "", ..usual(effect(at)) })
         })
         .with("range", "range", "", move |at| range_words(effect(at), &usual(effect(at))))
 }
 
-/// How a value of a variable is shown: a number in a unit.
+/// Display of a variable's values: a number in a unit.
 pub struct Shown<'a> {
     /// Factor from the stored unit to this unit.
     pub in_one: f64,
-    /// The unit.
+    /// Name of the unit.
     pub unit: &'a str,
 }
 
-/// In the unit of screens.
+/// Returns the display in the unit of screens.
 fn usual(effect: &Effect) -> Shown<'static> {
     let quantity = effect.axis.variable().number().map(|number| number.quantity);
     let unit = quantity.map_or("", Dimension::shown_unit);
@@ -91,18 +91,18 @@ fn usual(effect: &Effect) -> Shown<'static> {
     Shown { in_one, unit }
 }
 
-/// `0.8 to 7`.
+/// Formats the range: `0.8 to 7`.
 fn range_words(effect: &Effect, shown: &Shown<'_>) -> String {
     let ends = effect.axis.ends();
     let [from, to] = [ends.0, ends.1].map(|end| significant(shown.in_one * end, 4));
     format!("{from} to {to} {}", shown.unit).trim_end().to_owned()
 }
 
-/// `4.27 to 6.49 mm`: the least and the greatest result.
+/// Formats the minimum and maximum result: `4.27 to 6.49 mm`.
 fn span(report: &SensitivityReport, effect: &Effect) -> Option<String> {
     let (least, greatest) = effect.range()?;
     let [least, greatest] = [least, greatest].map(|value| report.output.show(value, 3));
-    // A unit that both have stands once.
+    // Write a common unit once.
     let unit = |text: &str| text.split_once(' ').map(|(_, unit)| unit.to_owned());
     let least = match (unit(&least), unit(&greatest)) {
         (Some(a), Some(b)) if a == b => least.split(' ').next().unwrap_or("").to_owned(),
@@ -111,7 +111,7 @@ fn span(report: &SensitivityReport, effect: &Effect) -> Option<String> {
     Some(format!("{least} to {greatest}"))
 }
 
-/// `+0.13 mm for +0.1`: the change of the result by a small change of the variable, a round number of a tenth of its size at most.
+/// Formats the slope as `+0.13 mm for +0.1`: the change of the result for a round change of at most a tenth of the variable.
 pub fn slope_words(
     report: &SensitivityReport,
     effect: &Effect,
@@ -128,7 +128,7 @@ pub fn slope_words(
     Some(format!("{sign}{by} for +{}", step.trim_end()))
 }
 
-/// An effect in words: `gamma 0.8 to 7: depth 4.27 to 6.49 mm; here +0.13 mm for +0.1`.
+/// Describes an effect: `gamma 0.8 to 7: depth 4.27 to 6.49 mm; here +0.13 mm for +0.1`.
 pub fn words(report: &SensitivityReport, effect: &Effect, of: &str, shown: &Shown<'_>) -> String {
     let range = format!("{} {}", effect.axis.symbol(), range_words(effect, shown));
     let Some(span) = span(report, effect) else { return format!("{range}: {of} has no value") };
@@ -138,7 +138,7 @@ pub fn words(report: &SensitivityReport, effect: &Effect, of: &str, shown: &Show
     format!("{range}: {of} {span}{through}{here}")
 }
 
-/// Everything, as one object; null for what does not exist.
+/// Returns the whole report as an object; null for values that do not exist.
 pub fn json(name: &str, report: &SensitivityReport) -> Value {
     json!({
         "scene": name,

@@ -1,38 +1,38 @@
-//! The quantities that a chart of a run can show: name, symbol, unit, and where it is found in a sample.
+//! Quantities for the charts of a run: name, symbol, unit and source.
 
 use crate::report::law::Law;
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{ContactMode, Run, Sample};
 use cmra_engine::model::scene::Scene;
 
-/// More points than these are thinned before they are drawn.
+/// Maximum number of points that are drawn without thinning.
 const POINTS_MANY: usize = 16_384;
-/// Into how many equal times thinned points are put: more than the widest screen has columns of dots.
+/// Number of equal time intervals for thinned points; exceeds the number of dot columns of the widest screen.
 const TIMES: f64 = 4_096.0;
 
-/// Where the values of a quantity come from, and what they are drawn over.
+/// Source of a quantity's values, and the horizontal axis.
 #[derive(Clone, Copy)]
 pub enum Source {
-    /// Samples, over time.
+    /// Samples over time.
     Time(fn(&Sample) -> f64),
-    /// Samples of a scene, over time.
+    /// Samples of a scene over time.
     SceneTime(fn(&Scene, &Sample) -> f64),
-    /// Samples, over the plate's displacement.
+    /// Samples over the plate displacement.
     Displacement(fn(&Sample) -> f64),
-    /// The law of the mechanism, over the plate's displacement.
+    /// Law of the mechanism over the plate displacement.
     Law(fn(&Law, f64) -> f64),
 }
 
 enumeration! {
-    /// A quantity of the series, in the order `v` goes through them.
+    /// Quantity of the series, in the order of the key `v`.
     pub enum Channel in Row {
-        /// The name for chart titles.
+        /// Name in chart titles.
         title: &'static str,
-        /// The symbol for readouts.
+        /// Symbol in readouts.
         symbol: &'static str,
-        /// The SI unit.
+        /// SI unit.
         unit: &'static str,
-        /// Where it is found.
+        /// Source of the values.
         source: Source,
     }
     /// Depth of the nose in the plate.
@@ -53,7 +53,7 @@ enumeration! {
     ProjectileDisplacement { title: "Projectile displacement", symbol: "s", unit: "m", source: Source::Time(|it| it.projectile_displacement_m) }
     /// Force on the mount over time.
     MountForceOverTime { title: "Mount force", symbol: "F_mount", unit: "N", source: Source::Time(Sample::mount_force_n) }
-    /// Acceleration of the projectile along its axis, negative while it is slowed down.
+    /// Acceleration of the projectile along its axis; negative for a deceleration.
     Acceleration {
         title: "Projectile acceleration", symbol: "a", unit: "m/s2",
         source: Source::SceneTime(|scene, it| -it.contact_force_n / scene.projectile.mass_kg)
@@ -65,18 +65,18 @@ enumeration! {
     }
     /// Stiffness of springs and elastic stop.
     Stiffness { title: "Stiffness over displacement", symbol: "dF/dx", unit: "N/m", source: Source::Law(Law::stiffness) }
-    /// The greatest stress of the springs over their yield strength.
+    /// Maximum stress of the springs over their yield strength.
     Stress { title: "Stress over yield strength", symbol: "stress/yield", unit: "", source: Source::Law(Law::stress) }
 }
 
 impl Channel {
-    /// Whether it is drawn over time, not over the plate's displacement.
+    /// Returns `true` if the horizontal axis is time; `false` if it is the plate displacement.
     pub fn is_over_time(self) -> bool {
         matches!(self.source(), Source::Time(_) | Source::SceneTime(_))
     }
 
-    /// Returns the points to draw for samples of a run, SI, with a gap while the projectile is out of the plate. The law of the mechanism
-    /// is drawn over all displacements.
+    /// Returns the points of a quantity for samples of a run, SI, with a gap while the projectile is out of the plate. The law of the
+    /// mechanism covers all displacements.
     pub fn points(self, run: &Run, samples: &[Sample]) -> Vec<(f64, f64)> {
         match self.source() {
             Source::Time(_) | Source::SceneTime(_) => {
@@ -92,13 +92,13 @@ impl Channel {
         }
     }
 
-    /// Whether a sample has it: no depth is one of a projectile that has left the plate through either face.
+    /// Returns `true` if the quantity exists in a sample; the depth does not once the projectile has left the plate.
     fn exists_in(self, sample: &Sample) -> bool {
         let is_out = sample.penetration_m < 0.0 || sample.mode == ContactMode::Perforated;
         self != Self::Penetration || !is_out
     }
 
-    /// The value in a sample of a scene, SI; NaN of a quantity that samples do not have.
+    /// Returns the value in a sample of a scene, SI; NaN for a quantity that samples do not contain.
     pub fn value(self, scene: &Scene, sample: &Sample) -> f64 {
         match self.source() {
             Source::SceneTime(get) => get(scene, sample),
@@ -107,7 +107,8 @@ impl Channel {
         }
     }
 
-    /// The value in a run at a time, linear between samples; `None` outside the series, and of a depth out of the plate. At a jump the value after it.
+    /// Returns the value at a time of a run, linear between samples; after a jump, at its time. `None` outside the series, and for a depth
+    /// out of the plate.
     pub fn at(self, run: &Run, t_s: f64) -> Option<f64> {
         if let Source::Law(get) = self.source() {
             let x_m = Self::PlateDisplacement.at(run, t_s)?;
@@ -124,7 +125,7 @@ impl Channel {
         Some(low + share * (high - low))
     }
 
-    /// Why there is nothing of it to draw in a run of a scene; `None` where there is.
+    /// Explains why a run of a scene lacks the quantity; `None` if it does not.
     pub fn absence(self, scene: &Scene) -> Option<&'static str> {
         let mechanism = Mechanism::from_scene(scene);
         let is_sprung = !mechanism.spring.is_absent();
@@ -144,7 +145,7 @@ impl Channel {
         (!there).then_some(absent)
     }
 
-    /// The next quantity, round and round.
+    /// Returns the next quantity, cyclically.
     #[must_use]
     pub fn next(self) -> Self {
         let at = Self::ALL.iter().position(|one| *one == self).unwrap_or(0);
@@ -152,8 +153,8 @@ impl Channel {
     }
 }
 
-/// The state of a run at a time, linear between the rows of its series; after the last row bodies keep their velocities. At a jump the
-/// state after it. `None` without a series.
+/// Returns the state of a run at a time, linear between the rows of its series. Velocities are constant after the last row. Returns the
+/// state after a jump at its time. `None` without a series.
 pub fn state_at(run: &Run, t_s: f64) -> Option<Sample> {
     let after = run.series.partition_point(|sample| sample.t_s <= t_s);
     let before = run.series[after.saturating_sub(1)..].first()?;
@@ -187,10 +188,10 @@ pub fn state_at(run: &Run, t_s: f64) -> Option<Sample> {
     })
 }
 
-/// Fewer points that make the same picture over a linear axis of time.
+/// Reduces points for drawing over a linear time axis without visible change.
 ///
-/// The whole time is divided into equal parts, more than a screen has columns of dots. Of each part the first, lowest, highest and
-/// last points are kept, and all of them where a gap begins or ends. The points are in the order of time, as are those given back.
+/// Time is divided into equal intervals, more than a screen has columns of dots. The first, lowest, highest and last points of each
+/// interval are kept, and the ends of gaps. Input and output are in order of time.
 pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     if points.len() <= POINTS_MANY { points } else { thinned_to(&points, TIMES) }
 }
@@ -227,8 +228,8 @@ mod tests {
     use crate::study::testing::scene;
     use cmra_engine::model::simulate::Settings;
 
-    /// After the first arrest projectile and plate move as one on the spring: of equal masses the
-    /// projectile needs half of the spring's force k x.
+    /// After the arrest projectile and plate move together on the spring. With equal masses the projectile takes half of the spring force k
+    /// x.
     #[test]
     fn valid_the_contact_force_falls_at_the_first_arrest() {
         let scene = scene("k=1e5");
@@ -246,7 +247,7 @@ mod tests {
 
     #[test]
     fn thinned_points_keep_ends_a_spike_a_gap_and_distant_points() {
-        // A sine with a spike and a gap in a million points of one second, then ten points of a second each.
+        // Sine with a spike and a gap: a million points in one second, then ten points one second apart.
         let (spike, gap) = (654_321, 700_000..800_000);
         let value = |index: usize| match index {
             _ if index == spike => 5.0,

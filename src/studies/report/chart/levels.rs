@@ -1,19 +1,19 @@
-//! The steps of a heat map's scale: round bounds, at most ten bands, so that colours and characters stay few and can be named.
+//! Bands of a heat map: at most ten, with round bounds, so that each has a distinct colour and character.
 
 use super::scale::{Scale, ViewRange};
 use crate::report::steps::{Step, power};
 
-/// The most bands: as many as there are characters in the ramp.
+/// Maximum number of bands: the number of characters in the ramp.
 pub const BANDS_MAX: usize = 10;
 
-/// Round bounds in rising order; band i is from bound i to bound i + 1.
+/// Round bounds in ascending order; band i lies between bounds i and i + 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Levels {
     bounds: Vec<f64>,
 }
 
 impl Levels {
-    /// Bands over all values that are finite; `None` when there is none.
+    /// Computes bands over all finite values; `None` if there are none.
     pub fn from_values(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let view = ViewRange::from_values(Scale::Linear, values)?;
         let mut step = Step::at_least(view.span() / BANDS_MAX as f64);
@@ -23,7 +23,7 @@ impl Levels {
             let bands = (view.hi() / size - 1e-9).ceil() - low;
             if bands <= BANDS_MAX as f64 {
                 let count = (0..=BANDS_MAX).take_while(|band| *band as f64 <= bands.max(1.0));
-                // Multiplied, not added up: 0.3 is then 0.3.
+                // Use multiplication instead of summation: 0.3 is then exact.
                 let bounds = count.map(|band| bound(low + band as f64, step)).collect();
                 return Some(Self { bounds });
             }
@@ -31,25 +31,25 @@ impl Levels {
         }
     }
 
-    /// How many bands there are.
+    /// Returns the number of bands.
     pub fn bands(&self) -> usize {
         self.bounds.len().saturating_sub(1).max(1)
     }
 
-    /// The bounds of a band.
+    /// Returns the bounds of a band.
     pub fn band(&self, index: usize) -> (f64, f64) {
         let at = |index: usize| self.bounds[index.min(self.bounds.len() - 1)];
         (at(index), at(index + 1))
     }
 
-    /// The band a value lies in; values outside count to the first or last one.
+    /// Returns the band of a value; values outside belong to the first or last band.
     pub fn index(&self, value: f64) -> usize {
         let above = self.bounds.partition_point(|bound| *bound <= value);
         above.saturating_sub(1).min(self.bands() - 1)
     }
 }
 
-/// A multiple of a step; by division where the step is below one, so that the digits are round.
+/// Computes a multiple of a step; by division for steps below one, so that the digits are round.
 fn bound(multiple: f64, step: Step) -> f64 {
     let whole = multiple * f64::from(step.mantissa);
     if step.exponent < 0 { whole / power(-step.exponent) } else { whole * power(step.exponent) }

@@ -1,44 +1,44 @@
-//! From values to cells and back: [`Scale`], the shown range ([`ViewRange`]), and [`Mapping`], the only place where a value
-//! becomes a column or a row.
+//! Conversion between values and cells: [`Scale`], the displayed range ([`ViewRange`]), and [`Mapping`], the only conversion from a value
+//! to a column or row.
 //!
-//! The first value of a range lies in the middle of the first cell, the last one in the middle of the last, whatever the glyph
-//! set: a tick, a curve and the crosshair at the same value are always in the same column.
+//! The first value of a range is at the centre of the first cell, the last value at the centre of the last cell, for every glyph set.
+//! Ticks, curves and crosshair at the same value therefore share a column.
 
 use crate::report::steps::{decade, power};
 
-/// Positions are kept within this many cells of the view: far enough that the direction of a line is right, near enough that
-/// clipping it loses nothing.
+/// Maximum distance of positions from the view, in cells. Large enough to keep the direction of a line, and small enough for exact
+/// clipping.
 const FAR_CELLS: f64 = 1e9;
-/// Positions within a cell that are distinguished.
+/// Distinct positions within a cell.
 const GRAINS: f64 = 1e4;
-/// The narrowest range, as a fraction of its greatest bound: twelve digits are what a label can still distinguish.
+/// Minimum span, as a fraction of the larger bound. Labels cannot show more than twelve digits.
 const NARROWEST: f64 = 1e-12;
-/// Bounds stay within this, so that a difference of two never overflows.
+/// Maximum magnitude of bounds; prevents overflow of differences.
 const GREATEST: f64 = 1e300;
-/// Values that differ by less than this fraction are one: runs and searches are no better.
+/// Relative difference below which values are treated as equal: the accuracy of runs and searches.
 const FLAT: f64 = 1e-8;
-/// The narrowest range about zero; keeps the arithmetic of ticks away from subnormal numbers.
+/// Minimum span of a range around zero; avoids subnormal numbers in the arithmetic of ticks.
 const NARROWEST_ABSOLUTE: f64 = 1e-280;
-/// A logarithmic axis whose lower bound is not positive starts this fraction below its upper bound.
+/// Lower bound of a logarithmic axis over its upper bound, if the lower bound is not positive.
 const LOG_FLOOR: f64 = 1e-6;
 
-/// How values are spread over an axis.
+/// Scale of an axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Scale {
-    /// Evenly.
+    /// Linear scale.
     #[default]
     Linear,
-    /// By decades; values that are not positive have no place.
+    /// Logarithmic scale; represents positive values only.
     Log10,
 }
 
 impl Scale {
-    /// Whether a value has a place.
+    /// Returns `true` if the scale can represent a value.
     pub fn shows(self, value: f64) -> bool {
         value.is_finite() && (self == Self::Linear || value > 0.0)
     }
 
-    /// Where a value lies, as a number that grows evenly along the axis.
+    /// Converts a value to a coordinate that is linear along the axis.
     pub fn place(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
@@ -46,7 +46,7 @@ impl Scale {
         }
     }
 
-    /// The value at a place: the inverse of [`Scale::place`].
+    /// Converts a coordinate to its value: the inverse of [`Scale::place`].
     pub fn back(self, place: f64) -> f64 {
         match self {
             Self::Linear => place,
@@ -55,7 +55,7 @@ impl Scale {
     }
 }
 
-/// The range of values an axis shows. Always finite, never empty, never reversed.
+/// Range of values of an axis. Always finite, never empty, never reversed.
 #[must_use]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewRange {
@@ -64,15 +64,15 @@ pub struct ViewRange {
 }
 
 impl Default for ViewRange {
-    /// From 0 to 1.
+    /// Returns the range from 0 to 1.
     fn default() -> Self {
         Self { lo: 0.0, hi: 1.0 }
     }
 }
 
 impl ViewRange {
-    /// The range between two values, in either order. Where it would be empty it is widened, by a twentieth at both ends
-    /// or, at zero, to 0 to 1. A value that is not finite is replaced: both, by 0 to 1; one, by a range of width 1 at the other.
+    /// Creates the range between two values, in either order. An empty range is widened by a twentieth at both ends, or to 0 to 1 at zero.
+    /// If one value is not finite, the range has width 1 at the other; if both are not, it is 0 to 1.
     pub fn new(a: f64, b: f64) -> Self {
         let (a, b) = match (a.is_finite(), b.is_finite()) {
             (true, true) => (a, b),
@@ -92,7 +92,7 @@ impl ViewRange {
         Self { lo: lo - greatest * 0.05, hi: hi + greatest * 0.05 }
     }
 
-    /// The range of all values that have a place on the scale; `None` when there is none.
+    /// Returns the range of all values that the scale can represent; `None` if there are none.
     pub fn from_values(scale: Scale, values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut bounds: Option<(f64, f64)> = None;
         for value in values.into_iter().filter(|value| scale.shows(*value)) {
@@ -104,32 +104,32 @@ impl ViewRange {
         bounds.map(|(lo, hi)| Self::new(lo, hi).on(scale))
     }
 
-    /// The lower bound.
+    /// Returns the lower bound.
     pub fn lo(self) -> f64 {
         self.lo
     }
 
-    /// The upper bound.
+    /// Returns the upper bound.
     pub fn hi(self) -> f64 {
         self.hi
     }
 
-    /// Upper less lower bound, > 0.
+    /// Returns upper less lower bound, > 0.
     pub fn span(self) -> f64 {
         self.hi - self.lo
     }
 
-    /// The greatest magnitude in it.
+    /// Returns the maximum magnitude of the bounds.
     pub fn size(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// Whether a value lies in the range, bounds included.
+    /// Returns `true` if a value lies in the range, bounds included.
     pub fn contains(self, value: f64) -> bool {
         self.lo <= value && value <= self.hi
     }
 
-    /// The range as a scale can show it: positive for a logarithmic one.
+    /// Restricts the range to the values that a scale can represent: positive values for a logarithmic scale.
     pub fn on(self, scale: Scale) -> Self {
         match scale {
             Scale::Linear => self,
@@ -141,8 +141,8 @@ impl ViewRange {
         }
     }
 
-    /// Grown by a fraction of its span at both ends, in the space of the scale. Where the result would be too narrow to show it is as it
-    /// was.
+    /// Extends the range by a fraction of its span at both ends, in the coordinates of the scale. Unchanged if the result would be too
+    /// narrow.
     pub fn padded(self, scale: Scale, fraction: f64) -> Self {
         let view = self.on(scale);
         let (lo, hi) = (scale.place(view.lo), scale.place(view.hi));
@@ -158,7 +158,7 @@ impl ViewRange {
         }
     }
 
-    /// Grown to whole decades, so that small changes of the data do not move a logarithmic axis.
+    /// Extends the range to whole decades, so that small changes of the data do not move a logarithmic axis.
     pub fn in_decades(self) -> Self {
         let view = self.on(Scale::Log10);
         let top = decade(view.hi);
@@ -167,49 +167,50 @@ impl ViewRange {
     }
 }
 
-/// Values to cells along one axis and back.
+/// Conversion between values and cells along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mapping {
-    /// The scale.
+    /// Scale of the axis.
     pub scale: Scale,
-    /// The range as shown.
+    /// Displayed range.
     pub view: ViewRange,
-    /// How many cells there are.
+    /// Number of cells.
     pub cells: u16,
-    /// The view's lower bound and span in the space of the scale.
+    /// Lower bound and span of the view, in the coordinates of the scale.
     from: f64,
     span: f64,
 }
 
 impl Mapping {
-    /// A range spread over a given number of cells.
+    /// Creates the mapping of a range to a number of cells.
     pub fn new(scale: Scale, view: ViewRange, cells: u16) -> Self {
         let view = view.on(scale);
         let from = scale.place(view.lo);
         Self { scale, view, cells, from, span: scale.place(view.hi) - from }
     }
 
-    /// Where a value lies, in cells from the middle of the first one; `None` where the scale has no place for it. Values far
-    /// outside are held within a billion cells.
+    /// Returns the position of a value, in cells from the centre of the first one; `None` if the scale cannot represent it. Positions are
+    /// limited to a billion cells outside the view.
     pub fn position(self, value: f64) -> Option<f64> {
         if !self.scale.shows(value) {
             return None;
         }
         let fraction = (self.scale.place(value) - self.from) / self.span;
         let last = f64::from(self.cells.saturating_sub(1));
-        // What lies on the edge of two cells by construction (a padded top does) must not flip with the last digit.
+        // Round positions, so that rounding errors do not move values that lie on the edge of two cells by construction, such as a padded
+        // upper end.
         let grained = (fraction * last * GRAINS).round() / GRAINS;
         Some(grained.clamp(-FAR_CELLS, FAR_CELLS))
     }
 
-    /// The cell a value lies in, from 0; `None` outside the view.
+    /// Returns the cell of a value, starting at 0; `None` outside the view.
     pub fn cell(self, value: f64) -> Option<u16> {
         let cells = usize::from(self.cells);
         let index = whole_below(self.position(value)? + 0.5, cells)?;
         u16::try_from(index).ok()
     }
 
-    /// The value in the middle of a cell; cells beyond the last one count as the last.
+    /// Returns the value at the centre of a cell; larger indices give the last cell.
     pub fn value(self, cell: u16) -> f64 {
         let last = self.cells.saturating_sub(1);
         if last == 0 || cell == 0 {
@@ -218,14 +219,13 @@ impl Mapping {
         if cell >= last {
             return self.view.hi;
         }
-        // Multiplied before divided: the value at a tick comes out as it is written there.
+        // Multiply before dividing: the value at a tick then equals its label.
         let from_start = self.span * f64::from(cell) / f64::from(last);
         self.scale.back(self.from + from_start)
     }
 }
 
-/// The whole number just below a position, if it is one of `count` places from 0. The one conversion from floating point to
-/// a cell or dot.
+/// Rounds a position down to a cell; `None` outside 0..`count`. The only conversion from floating point to a cell or dot.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -241,7 +241,7 @@ mod tests {
 
     use super::*;
 
-    /// A hundred times the width to which a mass efficiency is searched, and the noise of one.
+    /// Difference of a hundred times the search width of a mass efficiency, and the noise of one.
     #[test]
     fn values_that_differ_by_noise_alone_are_one() {
         let span = |values: [f64; 2]| ViewRange::from_values(Scale::Linear, values).unwrap().span();

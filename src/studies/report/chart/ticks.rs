@@ -1,40 +1,39 @@
-//! Where an axis has ticks and what is written at them: 1-2-5 steps, decades on a logarithmic axis, as many as fit.
+//! Ticks of an axis and their labels: steps of 1, 2 or 5 times a power of ten, or decades on a logarithmic axis, as many as fit.
 //!
-//! A tick knows its cell from the same [`Mapping`] the curves use, and its label is centred on that cell. What is common to
-//! all labels (a power of ten) is factored out. Rows of a terminal are coarse: a value is labelled there only where it lies near the
-//! middle of a row, and where no two round values do, the ends of the axis are.
+//! The cell of a tick comes from the [`Mapping`] of the curves, and its label is centred on that cell. A common power of ten is factored
+//! out of the labels. Rows of a terminal are coarse, so a value is labelled only if it lies near the centre of a row. If no two round
+//! values do, the ends of the axis are labelled.
 
 use super::scale::{Mapping, Scale, ViewRange};
 use crate::report::steps::{Step, decade, power};
 
-/// Blank cells between two labels next to each other: a twelfth of the axis, but at least and at most this many. Room is used for
-/// calm before it is used for numbers.
+/// Minimum and maximum number of blank cells between adjacent labels. The gap is a twelfth of the axis within these limits.
 const LABEL_GAP: (i32, i32) = (2, 8);
-/// Steps tried for one axis, each 2 or 2.5 times the one before: enough to pass from one tick a cell to one in all.
+/// Maximum number of steps tried for an axis, each 2 or 2.5 times the previous one; covers one tick per cell to a single tick.
 const STEPS_TRIED: usize = 24;
-/// A value lies in its row if it is this near to the middle, in rows: nearer than the dots of a curve tell. From so many rows between
-/// two labels on a row more or less is not noticed, and any place in the row will do.
+/// Maximum distance of a labelled value from the centre of its row, in rows; smaller than the resolution of a curve's dots.
 const IN_ROW: f64 = 0.25;
+/// Label distance, in rows, from which any position in the row is allowed, because an error of one row is not visible.
 const EVEN_ROWS: u16 = 6;
-/// Most digits of the label at an end of an axis.
+/// Maximum number of digits of the label at an end of an axis.
 const END_DIGITS: usize = 6;
-/// Labels that an axis upward has at least, from so many rows on.
+/// Minimum number of labels of a vertical axis, by its minimum number of rows.
 const MIN_LABELS: [(u16, usize); 3] = [(16, 5), (8, 3), (2, 2)];
-/// How far beyond the middle of the first and the last row a value may lie, in rows: it still is in the row.
+/// Maximum distance of a value beyond the centre of the first or last row, in rows; the value is still in the row.
 const BEYOND: f64 = 0.45;
-/// Longest part of an axis on rows, over the range of its values.
+/// Maximum length of a vertical axis, relative to the range of its values.
 const MAX_SPREAD: f64 = 2.6;
-/// Cost of one row between labels more or less than wanted, and of a step of 2.5, relative to the fraction of the axis left empty.
+/// Costs of a label distance one row from the ideal, and of a step of 2.5, relative to the unused fraction of the axis.
 const UNWANTED_ROW: f64 = 0.04;
 const UNUSUAL_STEP: f64 = 0.03;
-/// Cost of a level line that passes through the row of another value's label.
+/// Cost of a level line in the row of another value's label.
 const CROSSED_LABEL: f64 = 0.5;
 const BESIDE: f64 = 0.1;
-/// Decades from one label to the next on a logarithmic axis.
+/// Decades between labels of a logarithmic axis.
 const DECADES: [u8; 9] = [1, 2, 3, 5, 10, 20, 50, 100, 200];
-/// How far from the middle of their rows the labels 2 and 5 of a decade may lie, in rows: half a dot of braille.
+/// Maximum distance of the labels 2 and 5 of a decade from the centre of their rows, in rows: half a braille dot.
 const NEAR: f64 = 0.125;
-/// Ticks looked at for one step; more would never fit.
+/// Maximum number of ticks evaluated for one step; more never fit.
 const TICKS_LOOKED_AT: usize = 512;
 
 /// Tick of an axis.
@@ -42,42 +41,42 @@ const TICKS_LOOKED_AT: usize = 512;
 pub struct Tick {
     /// Cell from the start of the axis.
     pub cell: u16,
-    /// Value, in the unit shown.
+    /// Value, in the displayed unit.
     pub value: f64,
     /// Label of the tick.
     pub label: String,
 }
 
-/// The ticks of an axis.
+/// Ticks of an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ticks {
-    /// In order of value.
+    /// Ticks with labels, in order of value.
     pub labelled: Vec<Tick>,
-    /// Power of ten the labels are to be multiplied by.
+    /// Power of ten by which the labels are multiplied.
     pub exponent: i32,
 }
 
 impl Ticks {
-    /// Width of the widest label.
+    /// Returns the width of the widest label.
     pub fn width(&self) -> u16 {
         let widest = self.labelled.iter().map(|tick| tick.label.len()).max();
         widest.and_then(|width| u16::try_from(width).ok()).unwrap_or(0)
     }
 }
 
-/// How labels stand to each other.
+/// Arrangement of labels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
-    /// Side by side: widths decide.
+    /// Horizontal axis; label widths determine the distance.
     Row,
-    /// Vertical axis: a given mean distance in half rows; no two labels are closer than its whole rows.
+    /// Vertical axis with a mean distance in half rows; no two labels are closer than its whole rows.
     Column(u16),
-    /// Vertical axis whose labels stand only at the middle of a row.
+    /// Vertical axis with labels at the centres of rows only.
     Rows(u16),
 }
 
 impl Along {
-    /// Half rows from one label to the next.
+    /// Returns the distance between labels in half rows.
     fn half_rows(self) -> Option<u16> {
         match self {
             Self::Row => None,
@@ -86,7 +85,7 @@ impl Along {
     }
 }
 
-/// The ticks of an axis, as many as fit.
+/// Returns as many ticks of an axis as fit.
 pub fn ticks(map: Mapping, along: Along) -> Ticks {
     if map.cells == 0 {
         return Ticks::default();
@@ -97,7 +96,7 @@ pub fn ticks(map: Mapping, along: Along) -> Ticks {
     }
 }
 
-/// The first span of cells a label of this length takes when centred on a cell: the one rule for placing labels.
+/// Returns the first cell of a label that is centred on a cell: the only rule for placing labels.
 pub fn label_start(cell: i32, length: i32) -> i32 {
     cell - length / 2
 }
@@ -106,7 +105,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     let view = map.view;
     let greatest = view.lo().abs().max(view.hi().abs());
     let exponent = common_exponent(greatest);
-    // No two labels next to each other are nearer than two cells, whatever they say.
+    // Adjacent labels are at least two cells apart, whatever their text.
     let nearest = match along {
         Along::Row => 2.0,
         Along::Column(_) | Along::Rows(_) => 1.0,
@@ -134,7 +133,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     }
 }
 
-/// The ends of an axis, in as few digits as keep their labels in their rows.
+/// Returns ticks at the ends of an axis, with the fewest digits that keep the labels in their rows.
 fn ends(map: Mapping) -> Ticks {
     let view = map.view;
     let exponent = if map.scale == Scale::Log10 { 0 } else { common_exponent(view.size()) };
@@ -153,7 +152,7 @@ fn ends(map: Mapping) -> Ticks {
     let cells = if last == 0 { vec![0] } else { vec![0, last] };
     let mut labelled: Vec<Tick> = cells.into_iter().map(tick).collect();
     if labelled.iter().any(|tick| tick.label.contains('e')) {
-        // Both alike.
+        // Use the same format for both.
         for tick in labelled.iter_mut().filter(|tick| !tick.label.contains('e')) {
             tick.label =
                 tick.label.parse().map_or_else(|_| tick.label.clone(), |it: f64| format!("{it:e}"));
@@ -162,7 +161,7 @@ fn ends(map: Mapping) -> Ticks {
     Ticks { labelled, exponent }
 }
 
-/// A number in so many digits, in plain decimals where that is short.
+/// Formats a number with this many digits, in decimal notation if that is short.
 fn rounded(value: f64, digits: usize) -> String {
     let text = format!("{value:.*e}", digits - 1);
     let exact: f64 = text.parse().unwrap_or(value);
@@ -170,7 +169,7 @@ fn rounded(value: f64, digits: usize) -> String {
     if plain.len() <= text.len() + 1 { plain } else { text }
 }
 
-/// The multiples of a step in view, with the common power of ten factored out where that makes their labels shorter.
+/// Returns the multiples of a step in view; factors out a common power of ten if that shortens the labels.
 fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
     let ticks = |exponent| Ticks { labelled: multiples(map, step, exponent), exponent };
     let whole = ticks(0);
@@ -181,7 +180,7 @@ fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
     if whole.width() <= factored.width() { whole } else { factored }
 }
 
-/// The multiples of a step in view. Counting whole steps keeps labels and places free of accumulated error.
+/// Returns the multiples of a step in view. Counting whole steps avoids accumulated rounding errors.
 fn multiples(map: Mapping, step: Step, exponent: i32) -> Vec<Tick> {
     let view = map.view;
     let size = step.size();
@@ -199,19 +198,19 @@ fn multiples(map: Mapping, step: Step, exponent: i32) -> Vec<Tick> {
     found
 }
 
-/// A whole number of `10^exponent`, written with just the decimals that needs.
+/// Formats a whole number of `10^exponent` with the necessary decimals only.
 fn label(units: f64, exponent: i32) -> String {
     if units == 0.0 {
         return "0".to_owned();
     }
     let decimals = usize::try_from(-exponent).unwrap_or(0);
-    // Dividing by a power of ten that is exact rounds once; multiplying by its inverse rounds twice.
+    // Division by an exact power of ten rounds once; multiplication by its inverse rounds twice.
     let value = if exponent < 0 { units / power(-exponent) } else { units * power(exponent) };
     format!("{value:.decimals$}")
 }
 
-/// Decade ticks, with 2 and 5 between them where there is room; `None` where fewer than three would be seen: a linear axis
-/// tells more inside a decade.
+/// Returns ticks at decades, and at 2 and 5 if they fit; `None` for fewer than three ticks, because linear ticks are better within a
+/// decade.
 fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     let dense = in_decades(map, &[1, 2, 5], 1);
     if dense.len() < 3 {
@@ -225,7 +224,7 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
     Some(Ticks { labelled, exponent: 0 })
 }
 
-/// These multiples of each power of ten whose exponent is a multiple of a number, as far as they are in view.
+/// Returns these multiples of each power of ten in view whose exponent is a multiple of `every`.
 fn in_decades(map: Mapping, mantissas: &[u8], every: u8) -> Vec<Tick> {
     let first = decade(map.view.lo()) - 1;
     let last = decade(map.view.hi()) + 1;
@@ -243,9 +242,9 @@ fn in_decades(map: Mapping, mantissas: &[u8], every: u8) -> Vec<Tick> {
     seen.into_iter().filter_map(tick).collect()
 }
 
-/// An axis upward whose labels are round numbers in the middle of their rows: its range, grown so that a round step is a whole
-/// number of rows, and its ticks. Lines across at these values keep clear of labels of other values where they can. `None` for one row,
-/// and for a logarithmic axis over too little for decades.
+/// Fits a vertical axis with round labels at the centres of rows: its range, extended so that a round step is a whole number of rows, and
+/// its ticks. Labels avoid the level lines at these values if possible. `None` for a single row, or for a logarithmic axis over too few
+/// decades.
 pub fn on_rows(
     scale: Scale,
     view: ViewRange,
@@ -271,9 +270,9 @@ pub fn on_rows(
             if end - first > last || spread > MAX_SPREAD || is_worse(cost) {
                 continue;
             }
-            // Rows without values are above, or below where nothing is above zero.
+            // Empty rows are at the top, or at the bottom if no value is positive.
             let first = if high <= 0.0 && scale == Scale::Linear { end - last } else { first };
-            // Divided last: a row's value comes out as it is written there.
+            // Divide last: the value of a row then equals its label.
             let value = |count: f64| scale.back(count * size / f64::from(apart));
             let shown = ViewRange::new(value(first), value(first + last)).on(scale);
             let map = Mapping::new(scale, shown, rows);
@@ -299,7 +298,7 @@ pub fn on_rows(
     best.map(|(_, shown, ticks)| (shown, ticks))
 }
 
-/// Round steps that are at least a row, with their lengths in the space of the scale, as many as one axis may need.
+/// Returns round steps of at least a row with their lengths in the coordinates of the scale, as many as an axis may need.
 fn steps(scale: Scale, row: f64) -> Vec<(Step, f64)> {
     let decades = || {
         let step = |every: u8| Step { mantissa: every, exponent: 0 };
@@ -321,7 +320,7 @@ fn steps(scale: Scale, row: f64) -> Vec<(Step, f64)> {
     }
 }
 
-/// Powers of ten a step apart; 2 and 5 times each, too, where they lie in the middle of rows and have room.
+/// Returns ticks at powers of ten a step apart, and at 2 and 5 times each if these are at the centres of rows and fit.
 fn logarithmic(map: Mapping, every: Step, apart: u16) -> Ticks {
     let off = |mantissa: f64| {
         let at = mantissa.log10() * f64::from(apart);
@@ -333,7 +332,7 @@ fn logarithmic(map: Mapping, every: Step, apart: u16) -> Ticks {
     Ticks { labelled: in_decades(map, mantissas, every.mantissa), exponent: 0 }
 }
 
-/// Rows wanted from one label to the next.
+/// Returns the ideal distance between labels, in rows.
 fn rows_apart(rows: u16) -> u16 {
     match rows {
         0..4 => 1,
@@ -343,8 +342,7 @@ fn rows_apart(rows: u16) -> u16 {
     }
 }
 
-/// Whether all labels stand clear of each other, each on a cell of its own. Of rows there are at least two, each at the middle of
-/// its row.
+/// Returns `true` if no labels overlap and each has its own cell. Labels on rows must number at least two, each at the centre of its row.
 fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
     let (least, most) = LABEL_GAP;
     let gap = (i32::from(map.cells) / 12).clamp(least, most);
@@ -373,7 +371,7 @@ fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
     loose && placed && ticks.windows(2).all(apart)
 }
 
-/// The power of ten, a multiple of three, that keeps labels short: 0 from 0.001 to 99999.
+/// Returns the power of ten, a multiple of three, that keeps labels short: 0 for 0.001 to 99999.
 fn common_exponent(greatest: f64) -> i32 {
     if (1e-3..1e5).contains(&greatest) { 0 } else { decade(greatest).div_euclid(3) * 3 }
 }

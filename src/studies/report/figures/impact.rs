@@ -1,7 +1,7 @@
-//! Drawing of an impact at a moment: projectile, hole, plate, spring, damper, stop and mount to one scale.
+//! Drawing of an impact at a given time: projectile, hole, plate, spring, damper, stop and mount to one scale.
 //!
-//! A [`Stage`] fixes the scale for a part of a run, so that bodies move and the picture does not. A [`Picture`] is the state of the run at
-//! a moment as areas and lines in metres. Nothing here depends on a screen.
+//! A [`Stage`] fixes the scale for a part of a run, so that bodies move and the view does not. A [`Picture`] is the state of the run at a
+//! time, as areas and lines in metres. Does not depend on the terminal.
 
 use std::f64::consts::PI;
 
@@ -15,89 +15,90 @@ use cmra_engine::model::stack;
 use cmra_engine::model::units::{engineering, significant};
 use cmra_engine::numerics::{larger, smaller};
 
-/// Greatest length of a projectile that is drawn whole, in tip radii.
+/// Maximum length of a projectile that is drawn whole, in tip radii.
 const WHOLE: f64 = 10.0;
-/// Room behind the plate for the mechanism, relative to projectile and plate.
+/// Space behind the plate for the mechanism, relative to projectile and plate.
 const ROOM: f64 = 0.35;
-/// Travel, relative to projectile, plate and room, above which it is drawn smaller than the bodies.
+/// Displacement above which it is drawn reduced, relative to projectile, plate and space.
 const FAR: f64 = 2.0;
-/// Part of the width for a travel that is drawn smaller, and for one that is magnified.
+/// Fraction of the width for a displacement that is drawn reduced or magnified.
 const FAR_PART: f64 = 0.4;
 const NEAR_PART: f64 = 0.06;
-/// Travel below which it is magnified, in dots.
+/// Displacement below which it is drawn magnified, in dots.
 const NEAR_DOTS: f64 = 0.75;
-/// Least magnification of a travel.
+/// Minimum magnification of a displacement.
 const NEAR_LEAST: f64 = 5.0;
-/// Least height of the picture, in tip radii.
+/// Minimum height of the picture, in tip radii.
 const HEIGHT: f64 = 3.2;
-/// Least thickness of a drawn plate, in dots.
+/// Minimum drawn thickness of a plate, in dots.
 const THIN_DOTS: f64 = 2.0;
 /// Half height of a plate on a rigid mount, in heights of the picture.
 const ENDLESS: f64 = 2.0;
-/// Most plates behind the first that are drawn.
+/// Maximum number of plates drawn behind the first.
 const BEHIND: usize = 3;
-/// Part of the width for the plates behind the first.
+/// Fraction of the width for the plates behind the first.
 const BEHIND_PART: f64 = 0.25;
-/// Columns of dots for the mount.
+/// Width of the mount, in dots.
 const MOUNT_DOTS: f64 = 4.0;
-/// Straight lines of a nose's quarter circle.
+/// Line segments of a nose's quarter circle.
 const ARC: u32 = 8;
 /// Coils of the drawn spring.
 pub const COILS: u32 = 8;
 
-/// A place across and upward, m.
+/// Horizontal and vertical position, m.
 pub type Place = (f64, f64);
 
-/// The bodies of a drawing.
+/// Bodies of a drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// Position of the plate's front without spring force.
+    /// Neutral position of the plate's front (no spring force).
     Neutral,
-    /// The further plates of a stack.
+    /// Further plates of a stack.
     Behind,
-    /// The plate that the run is of.
+    /// Plate of the run.
     Plate,
-    /// The hole in the plate; erases the plate only.
+    /// Hole in the plate; erases the plate only.
     Hole,
-    /// The stop.
+    /// Stop of the plate.
     Stop,
-    /// Support of spring, damper and stop; of the plate itself on a rigid mount.
+    /// Support of spring, damper and stop; of the plate on a rigid mount.
     Mount,
-    /// The springs, as one.
+    /// Springs, drawn as one.
     Spring,
-    /// The damper.
+    /// Damper of the plate.
     Damper,
-    /// The projectile, of steel.
+    /// Projectile, drawn as steel.
     Projectile,
-    /// The plug that a perforating projectile drives out.
+    /// Plug that a perforating projectile drives out.
     Plug,
 }
 
-/// A body, or a part of one.
+/// Shape of a body or part of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// A filled polygon.
+    /// Filled polygon.
     Area(Part, Vec<Place>),
-    /// A vertical line at a place across, over the whole height.
+    /// Vertical line at a horizontal position, over the whole height.
     Wall(Part, f64),
-    /// A spring between two places, with this half width, m.
+    /// Spring between two positions, with this half width, m.
     Coils(Place, Place, f64),
-    /// A damper between two places, with this half width, m: its rod ends at the third place across, its cylinder begins at the fourth.
+    /// Damper between two positions, with this half width, m. The rod ends at the third horizontal position; the cylinder begins at the
+    /// fourth.
     Dashpot(Place, Place, f64, [f64; 2]),
 }
 
-/// The size of a picture in dots, and the height of a dot over its width.
+/// Size of a picture in dots, and the aspect ratio of a dot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dots {
-    /// Dots across.
+    /// Number of dots, horizontally.
     pub across: f64,
-    /// Dots down.
+    /// Number of dots, vertically.
     pub down: f64,
     /// Height of a dot over its width.
     pub aspect: f64,
 }
 
-/// The scale of the pictures of a part of a run.
+/// Scale of the pictures for a part of a run.
 #[derive(Clone, Debug)]
 pub struct Stage<'a> {
     run: &'a Run,
@@ -113,20 +114,20 @@ pub struct Stage<'a> {
     pub magnified: f64,
     /// Drawn over true thickness of the plate.
     pub thickened: f64,
-    /// Drawn length of the projectile, m, and the true one.
+    /// Drawn and true length of the projectile, m.
     lengths_m: (f64, f64),
     mount_m: Option<f64>,
     stop_m: Option<f64>,
-    /// Distances between the plate's rear face and the mount: least and greatest, m.
+    /// Minimum and maximum distance between the plate's rear face and the mount, m.
     gaps_m: (f64, f64),
     /// Notes on parts that are not to scale.
     pub notes: Vec<String>,
 }
 
-/// The drawing at a moment: later shapes lie over earlier ones.
+/// Drawing at a time; later shapes cover earlier ones.
 pub type Picture = Vec<Shape>;
 
-/// Length of a steel projectile of a mass and radius, nose included, m.
+/// Returns the length of a steel projectile with the run's mass and radius, nose included, m.
 pub fn projectile_length_m(run: &Run) -> f64 {
     let shot = &run.scene.projectile;
     let radius_m = shot.tip_radius_m;
@@ -138,14 +139,14 @@ pub fn projectile_length_m(run: &Run) -> f64 {
     radius_m + larger(all_m3 - nose_m3, 0.0) / section_m2
 }
 
-/// The greatest of 1, 2, 5, 10, 20, ... and their inverses up to a number.
+/// Rounds down to 1, 2 or 5 times a power of ten.
 fn round_below(value: f64) -> f64 {
     let decade = power(decade(value));
     [5.0, 2.0].into_iter().map(|digit| digit * decade).find(|it| *it <= value).unwrap_or(decade)
 }
 
 impl<'a> Stage<'a> {
-    /// The stage for a run up to a time, s; `None` without a series.
+    /// Creates the stage for a run up to a time, s; `None` without a series.
     pub fn from_run(run: &'a Run, end_s: f64, dots: Dots) -> Option<Self> {
         let scene = &*run.scene;
         let mechanism = Mechanism::from_scene(scene);
@@ -182,14 +183,14 @@ impl<'a> Stage<'a> {
         } else if travel_m > 0.0 && travel_m < NEAR_DOTS * dot_m {
             dot_m = larger(bodies_m / ((1.0 - NEAR_PART) * width), least_m);
             magnified = round_below(NEAR_PART * width * dot_m / travel_m);
-            // A few times show no more than once.
+            // A small magnification shows no more than the true scale.
             if magnified < NEAR_LEAST {
                 magnified = 1.0;
             }
         }
         let thickened = larger(1.0, THIN_DOTS * dot_m / thick_m);
         let thick_m = thickened * thick_m;
-        // What the width leaves is room for the mechanism; without one, half of it stands before the projectile.
+        // The remaining width is space for the mechanism; without one, half of it is in front of the projectile.
         let needed_m = across_m + thick_m + magnified * travel_m;
         let is_held = !scene.is_sprung();
         let spare_m = larger(width * dot_m - needed_m - room_m, 0.0);
@@ -253,7 +254,7 @@ impl<'a> Stage<'a> {
         self.thickened * self.run.scene.target.thickness_m
     }
 
-    /// Drawn depth of a true one, m: a plate that is drawn thicker has all of its depths inside.
+    /// Converts a true depth to the drawn depth, m; the depths of a plate that is drawn thicker stay inside it.
     fn depth_m(&self, depth_m: f64) -> f64 {
         let whole_m = self.run.scene.effective_thickness_m();
         let more_m = (self.thickened - 1.0) * whole_m;
@@ -266,7 +267,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// The drawing of a state.
+    /// Returns the drawing of a state.
     pub fn picture(&self, state: &Sample) -> Picture {
         let scene = &*self.run.scene;
         let front_m = self.magnified * state.plate_displacement_m;
@@ -311,7 +312,7 @@ impl<'a> Stage<'a> {
         shapes
     }
 
-    /// The outline of a body with the projectile's nose, whose tip stands so deep in the plate, and which is so long, m.
+    /// Returns the outline of a body with the projectile's nose, for a tip depth and a length, m.
     fn nosed(&self, front_m: f64, tip_m: f64, length_m: f64) -> Vec<Place> {
         let scene = &*self.run.scene;
         let radius_m = scene.projectile.tip_radius_m;
@@ -337,13 +338,13 @@ impl<'a> Stage<'a> {
             .collect()
     }
 
-    /// The greatest depth up to the time of a state, m; the whole thickness and the nose once it is through.
+    /// Returns the maximum depth up to the time of a state, m; thickness plus nose length after a perforation.
     fn deepest_m(&self, state: &Sample) -> f64 {
         let rows = self.run.series.iter().take_while(|row| row.t_s <= state.t_s);
         rows.map(|row| row.penetration_m).fold(state.penetration_m, larger)
     }
 
-    /// The plug before the nose of a projectile that has driven one out.
+    /// Draws the plug in front of a projectile that has driven one out.
     fn plug(&self, shapes: &mut Picture, state: &Sample, front_m: f64, tip_m: f64) {
         let event = self.run.events.iter().find(|event| event.kind == EventKind::Plug);
         if !event.is_some_and(|event| event.t_s <= state.t_s) {
@@ -362,7 +363,7 @@ impl<'a> Stage<'a> {
         shapes.push(Shape::Area(Part::Plug, corners.map(place).to_vec()));
     }
 
-    /// The damper: the rod goes into the cylinder as the plate comes nearer.
+    /// Draws the damper; the rod enters the cylinder as the plate approaches.
     fn dashpot(&self, rear_m: f64, mount_m: f64, y_m: f64, wide_m: f64) -> Shape {
         let (least_m, most_m) = self.gaps_m;
         let cylinder_m = mount_m - larger(0.55 * least_m, 2.0 * self.dot_m);
@@ -372,7 +373,7 @@ impl<'a> Stage<'a> {
         Shape::Dashpot((rear_m, y_m), (mount_m, y_m), wide_m, [rod_m, cylinder_m])
     }
 
-    /// The further plates of a stack, at equal distances behind the mount.
+    /// Draws the further plates of a stack, equally spaced behind the mount.
     fn behind(&self, shapes: &mut Picture) {
         if !self.run.scene.is_stack() {
             return;
@@ -394,7 +395,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// The distance between the drawn left edge and the tail of a projectile that has left the picture, m.
+    /// Returns the distance between the left edge of the drawing and the tail of a projectile outside it, m.
     pub fn beyond_m(&self, state: &Sample) -> Option<f64> {
         let tip_m = self.magnified * state.plate_displacement_m + self.depth_m(state.penetration_m);
         let out_m = self.left_m - tip_m;
@@ -402,7 +403,7 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// The state of a moment in a few words.
+/// Describes a contact mode in a few words.
 pub fn mode_words(scene: &Scene, mode: ContactMode) -> &'static str {
     let has_friction = scene.contact.model == ContactModel::Hydrodynamic;
     match mode {
@@ -450,11 +451,11 @@ mod tests {
         (a - b).abs() < 1e-9
     }
 
-    /// 29.5 g of steel are 3.758 cm3: a half sphere of 0.5363 cm3 and 3.2217 cm3 of 1.2668 cm2, 25.43 mm.
+    /// 29.5 g of steel are 3.758 cm³: a half sphere of 0.5363 cm³, and 3.2217 cm³ over 1.2668 cm², which is 25.43 mm.
     #[test]
     fn valid_a_projectile_is_as_long_as_its_mass_of_steel() {
         assert!((projectile_length_m(&run_of("")) - 31.78e-3).abs() < 1e-5);
-        // A sphere of the same radius has 8.42 g: what is lighter is a half sphere.
+        // A steel sphere of the same radius has 8.42 g. A lighter projectile is drawn as a half sphere.
         assert!(is_near(projectile_length_m(&run_of("m_p=2g")), 6.35e-3));
     }
 
@@ -477,7 +478,7 @@ mod tests {
                 assert!(is_near(tip_m - tail_m, projectile_length_m(&run)), "{text}");
                 let (_, hole_m) = ends(&corners(&picture, Part::Hole));
                 assert!(hole_m >= tip_m - 1e-12, "{text}");
-                // All of it is in the picture, at every moment.
+                // All bodies are inside the picture at every time.
                 let right_m = stage.left_m + DOTS.across * stage.dot_m;
                 assert!(tail_m >= stage.left_m && rear_m <= right_m, "{text}");
             }
@@ -514,7 +515,7 @@ mod tests {
         assert!(is_near(front_m - tip_m, 4e-3));
     }
 
-    /// Whatever is too small or too large for one scale is named, and has at least a dot.
+    /// Notes name dimensions that are too small or too large for the scale; each has at least one dot.
     #[test]
     fn what_is_not_to_scale_says_so() {
         for (text, end_s, word) in [
@@ -545,7 +546,8 @@ mod tests {
         }
     }
 
-    /// The plug is what is left of the plate before the nose: at most 1.35 diameters, here all of it, 6.35 mm; it goes ahead of a flat nose.
+    /// The plug is the rest of the plate in front of the nose, at most 1.35 diameters; here the whole thickness, 6.35 mm. It moves ahead of
+    /// a flat nose.
     #[test]
     fn valid_a_plug_stands_before_a_flat_nose_and_is_as_thick_as_its_law_has_it() {
         let alloy = "nose=blunt closure=cylindrical rho=2700 Y=276MPa UTS=310MPa E=68.3GPa";
@@ -561,7 +563,7 @@ mod tests {
             assert!(is_near(plug.0, tip_m), "{size}: {plug:?} {tip_m}");
             let drawn_m = stage.thickened * thick_m;
             assert!(is_near(plug.1 - plug.0, drawn_m), "{size}: {plug:?}");
-            // A flat nose: a whole side of it stands at the tip.
+            // A flat nose: a whole side lies at the tip.
             let flat = shot.iter().filter(|place| is_near(place.0, tip_m)).map(|place| place.1);
             let (low, high) =
                 flat.fold((0.0, 0.0), |(low, high), y| (smaller(low, y), larger(high, y)));

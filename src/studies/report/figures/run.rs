@@ -1,4 +1,4 @@
-//! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
+//! Charts of a run: time series, and the law of the mechanism.
 
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::law::Law;
@@ -8,27 +8,27 @@ use cmra_engine::model::run::{CONTACT_WINDOW, ContactMode, Run};
 use cmra_engine::model::units::engineering;
 use cmra_engine::numerics::{larger, smaller};
 
-/// The quantity drawn over time.
+/// Quantities drawn over time.
 const QUANTITIES: [Channel; 3] =
     [Channel::Penetration, Channel::PlateDisplacement, Channel::ContactForce];
-/// The letter an event goes by in charts and lists: `a` to `z`, later ones have none.
+/// Returns the letter of an event in charts and lists: `a` to `z`; empty for later events.
 pub fn event_letter(index: usize) -> &'static str {
     const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
     LETTERS.get(index..=index).unwrap_or("")
 }
 
-/// The events of a part of the time, with their letters.
+/// Returns marks for the events of a time interval, with their letters.
 pub fn event_marks(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = Mark<'static>> + '_ {
     let events = run.events.iter().enumerate();
     let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
     seen.map(|(index, event)| Mark::new(event.t_s, event.kind.words()).tag(event_letter(index)))
 }
 
-/// A depth that changes again after more than this many times the first contact is left to the whole response.
+/// Time of a change of depth over that of the first contact, above which the change is left to the chart of the whole response.
 const LATER: f64 = 5.0;
 
-/// The end of the time in which the contact is drawn, s: a little beyond the last change of the depth, so that it is seen; beyond
-/// the first contact where the depth changes only much later.
+/// Returns the end time of the contact chart, s: shortly after the last change of the depth, or after the first contact if the depth
+/// changes much later.
 pub fn contact_window_s(run: &Run) -> f64 {
     let first_s = run.contact_end_s();
     let changes = |mode| {
@@ -39,8 +39,8 @@ pub fn contact_window_s(run: &Run) -> f64 {
     CONTACT_WINDOW * if last_s > LATER * first_s { first_s } else { last_s }
 }
 
-/// Penetration, displacement and force over time: during the contact, which is over in a fraction of a millisecond, then over
-/// the whole response, where there is more of it.
+/// Creates the charts of penetration, displacement and force over time: during the contact, a fraction of a millisecond, then over the
+/// whole response if it is longer.
 pub fn response(run: &Run, beside: Option<&Traces>) -> Vec<Chart<'static>> {
     let Some(end_s) = run.series.last().map(|row| row.t_s) else {
         return Vec::new();
@@ -64,7 +64,7 @@ fn over_time(
         let measured = beside.map_or_else(Vec::new, |traces| traces.curves(*quantity, end_s));
         let all = points.iter().chain(measured.iter().flat_map(|curve| curve.points.iter()));
         let shown = all.filter(|point| point.0 <= end_s).map(|point| point.1);
-        // A chart of one value would be a line along its own frame.
+        // A chart of a constant would be a line on its own frame.
         let values = Axis::over("", quantity.unit(), Scale::Linear, shown)?;
         let y = Axis { label: name.clone().into(), ..values.with_zero().padded(0.05) };
         let x = Axis::over("t", "s", Scale::Linear, [0.0, end_s])?;
@@ -78,7 +78,7 @@ fn over_time(
         let marks = event_marks(run, (0.0, end_s)).collect();
         Some(Chart { marks, ..Chart::new(title, x, y, curves) })
     };
-    // What was measured beside the usual quantities.
+    // Measured traces of other quantities.
     let other = |channel: &Channel| {
         !QUANTITIES.contains(channel)
             && beside.is_some_and(|it| it.of_channel(*channel).next().is_some())
@@ -87,8 +87,8 @@ fn over_time(
     if end_s > 0.0 { quantities.filter_map(chart).collect() } else { Vec::new() }
 }
 
-/// Force, stiffness and stress of the mechanism over the plate's displacement, with what the run used of it; nothing without a
-/// mechanism.
+/// Creates the charts of force, stiffness and stress of the mechanism over the plate displacement, with the range used by the run; empty
+/// without a mechanism.
 pub fn mechanism(run: &Run) -> Vec<Chart<'static>> {
     let Some(law) = Law::from_run(run) else { return Vec::new() };
     let (low_m, end_m) = law.range_m();
@@ -110,12 +110,12 @@ pub fn mechanism(run: &Run) -> Vec<Chart<'static>> {
     charts
 }
 
-/// The pictures of a file: contact, the plate's whole way, the mechanism.
+/// Returns the pictures of a file: contact, whole plate displacement, mechanism.
 pub fn selected(run: &Run, beside: Option<&Traces>) -> Vec<Chart<'static>> {
     let mut charts = response(run, beside);
     let count = charts.len() / 2;
     if charts.len() > count.max(QUANTITIES.len()) && count >= QUANTITIES.len() {
-        // Displacement matters over the whole response, the others during the contact.
+        // The displacement is shown over the whole response, other quantities during the contact.
         let displacement = charts.swap_remove(count + 1);
         charts.truncate(count);
         charts[1] = displacement;

@@ -1,4 +1,4 @@
-//! The pictures of a sweep: a curve of each output over one axis, a map over two.
+//! Pictures of a sweep: a curve for each output over one axis, or a map over two.
 
 use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Chart, Curve};
@@ -11,7 +11,7 @@ use crate::study::sweep::{self, PointOutcome};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::numerics::statistics::sorted_by;
 
-/// The picture of an output over a full grid of one or two axes; `None` where it exists nowhere.
+/// Creates the picture of an output over a full grid of one or two axes; `None` if the output exists at no point.
 pub fn picture(grid: &Grid, output: usize) -> Option<Picture> {
     match grid.plan().axes() {
         [x] => curve(grid, x, output).map(Picture::Chart),
@@ -20,7 +20,7 @@ pub fn picture(grid: &Grid, output: usize) -> Option<Picture> {
     }
 }
 
-/// The points of a grid in their order.
+/// Iterates over the points of a grid in order.
 pub fn points(grid: &Grid, output: usize) -> impl Iterator<Item = grid::Cell> + '_ {
     let (across, up) = grid.counts();
     (0..across).flat_map(move |x| (0..up).map(move |y| grid.cell(x, y, output)))
@@ -56,7 +56,7 @@ pub fn cell(point: grid::Cell) -> Cell {
     }
 }
 
-/// The letters among some points, each once, with what they mean.
+/// Returns the distinct letters of some points with their meanings.
 pub fn marks(
     column: &Quantity,
     points: impl Iterator<Item = grid::Cell>,
@@ -73,7 +73,7 @@ pub fn marks(
     list
 }
 
-/// How the letter of a point without a value stands out.
+/// Returns the emphasis of the letter for a point without a value.
 pub fn tone(outcome: PointOutcome) -> Tone {
     match outcome {
         PointOutcome::Ended(Outcome::Arrested | Outcome::Separated) => Tone::Faint,

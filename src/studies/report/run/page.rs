@@ -1,5 +1,5 @@
-//! A run in words: its outcome in a sentence, and its results, events, energy and computation a line each. Pages and screens show
-//! the same lines.
+//! Text report of a run: the outcome as a sentence, and results, events, energy and computation, one per line. Pages and screens share
+//! these lines.
 
 use crate::report::figures::run::event_letter;
 use crate::report::run::{AT_START, ENERGY, LedgerPart};
@@ -8,14 +8,14 @@ use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
 use cmra_engine::model::units::{self, engineering, fixed_significant};
 
-/// Columns of a label before its value.
+/// Column of a value after its label.
 pub const LABEL: usize = 24;
 
 fn short(value: f64, unit: &str) -> String {
     engineering(value, unit, 4)
 }
 
-/// A label, and a text beside it.
+/// Formats a label with a text beside it.
 pub fn labelled(label: &str, text: &str) -> String {
     format!("{label:<LABEL$}{text}")
 }
@@ -25,8 +25,8 @@ pub fn of_first(run: &Run) -> &'static str {
     if run.stack.is_some() { " of element 1" } else { "" }
 }
 
-/// The outcome of the shot in a few words: `arrested at 4.572 mm (64.3 % of a rigid mount)`; of a stack, its sentence. Where a
-/// ricochet is likely, it says so.
+/// Describes the outcome of the shot briefly: `arrested at 4.572 mm (64.3 % of a rigid mount)`. Returns the sentence for a stack. Mentions
+/// a likely ricochet.
 pub fn outcome(run: &Run) -> String {
     let doubt = if envelope::ricochet(&run.scene).is_some() { "; ricochet is likely" } else { "" };
     known_outcome(run) + doubt
@@ -56,14 +56,13 @@ fn known_outcome(run: &Run) -> String {
     }
 }
 
-/// The outcome of the shot in a sentence that says what it means; of a stack, in its first element. Where a ricochet is likely, it
-/// says so.
+/// Describes the outcome of the shot in a sentence with its meaning; for a stack, of the first element. Mentions a likely ricochet.
 pub fn sentence(run: &Run) -> String {
     let doubt = envelope::ricochet(&run.scene).map(|text| format!("; theta is {text}"));
     known_sentence(run) + &doubt.unwrap_or_default()
 }
 
-/// By how much the nose stands out of the rear face, m, where the scene's criterion makes that a perforation.
+/// Returns the protrusion of the nose from the rear face, m, if the scene's criterion counts it as a perforation.
 fn by_protrusion(run: &Run) -> Option<f64> {
     let is_through = run.stack.is_none() && run.shot_outcome() == Outcome::Perforated;
     run.protrusion_m().filter(|_| is_through)
@@ -130,7 +129,7 @@ fn arrested(run: &Run, depth: &str) -> String {
     )
 }
 
-/// The results, a line each; what does not exist has none.
+/// Lists the results, one per line; omits those that do not exist.
 pub fn results(run: &Run) -> Vec<String> {
     let known = |result: Option<f64>, unit| result.map(|result| engineering(result, unit, 6));
     let rounded = |result: Option<f64>, words: &str| {
@@ -141,12 +140,12 @@ pub fn results(run: &Run) -> Vec<String> {
     let start_m = run.scene.start_m();
     let stroke_so_far = so_far.plate_displacement_m.map(|so_far_m| so_far_m - start_m);
     let displacement = known(run.max_plate_displacement_m, "m");
-    // Of a shot that no law follows to its end, nothing is said.
+    // Omit the line for a shot that no law follows to its end.
     let is_known = displacement.is_some()
         || so_far.plate_displacement_m.is_some()
         || run.outcome == Outcome::Unmeasured;
     let scene = &run.scene;
-    // Why there is none.
+    // Reason for a missing displacement.
     let nothing_stops_it =
         Mechanism::from_scene(scene).is_absent() && scene.mechanism.stop.position_m.is_none();
     let none = if nothing_stops_it {
@@ -160,7 +159,7 @@ pub fn results(run: &Run) -> Vec<String> {
     } else {
         rounded(run.interface_demand_ratio, " of its strength A S_y")
     };
-    // Where the interface holds, it makes no difference whether it can yield.
+    // Below the limit load of the interface its type makes no difference.
     let loads = [run.interface_demand_ratio, run.interface_tension_ratio];
     let is_overloaded = loads.into_iter().flatten().any(|ratio| ratio > 1.0);
     let plastic = run.plastic.as_ref().filter(|_| is_overloaded);
@@ -192,7 +191,7 @@ pub fn results(run: &Run) -> Vec<String> {
         ("  if it can yield", plastic.map(|plastic| if_it_yields(plastic))),
     ];
     let margin_words = " (yield strength over the greatest stress)";
-    // A single power law stores what the ledger says.
+    // The energy of a single power-law spring is in the ledger.
     let of_mechanism = [
         ("energy stored at most", known(load.stored_j, "J")),
         ("  turning with plate", known(load.rotation_j, "J")),
@@ -219,7 +218,7 @@ fn if_it_yields(plastic: &Run) -> String {
     format!("{word}{} (interface = plastic)", result.unwrap_or_default())
 }
 
-/// The events with their letters in the charts.
+/// Lists the events with their letters in the charts.
 pub fn events(run: &Run) -> Vec<String> {
     let line = |(index, event): (usize, &Event)| {
         let (letter, time) = (event_letter(index), engineering(event.t_s, "s", 6));
@@ -228,7 +227,7 @@ pub fn events(run: &Run) -> Vec<String> {
     run.events.iter().enumerate().map(line).collect()
 }
 
-/// Events that a page shows at each end of a list.
+/// Number of events shown at each end of a list.
 const EVENTS_SHOWN: usize = 10;
 
 /// Formats the events for a page; only the first and last of a plate that chatters on its stop.
@@ -242,13 +241,13 @@ pub fn events_in_brief(run: &Run) -> Vec<String> {
     lines
 }
 
-/// The energy ledger, a term a line, with its part of the energy at the start.
+/// Lists the energy ledger, one term per line, with fractions of the initial energy.
 pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
     let start_j = ledger.initial_j();
     let line = |label: &str, energy_j: f64| {
         let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
         let (energy, percent) = (fixed_significant(energy_j, 6), units::decimals(percent, 2));
-        // Without a prefix: terms below each other are to be compared.
+        // No prefix, so that terms in a column can be compared.
         format!("{label:<13}{energy:>8} J  {percent:>6} %")
     };
     let terms = |parts: &[LedgerPart]| -> Vec<String> {
@@ -258,7 +257,7 @@ pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
     let (start, end) = ENERGY.split_at(AT_START);
     let start = terms(start);
     let mut lines = vec![line("at the start", start_j)];
-    // One term alone is the whole.
+    // A single term equals the total.
     lines.extend(if start.len() > 1 { start } else { Vec::new() });
     let (weight, end) = end.split_at(1);
     lines.extend(terms(weight));
@@ -272,7 +271,7 @@ pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
     lines
 }
 
-/// How the run was computed, in which time where that is known, and how wrong it may be.
+/// Describes how the run was computed, its run time if known, and its error.
 pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<String> {
     let cost = &run.cost;
     let steps = format!(
@@ -293,7 +292,7 @@ pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<String> {
     facts.into_iter().filter_map(|(label, text)| Some(labelled(label, &text?))).collect()
 }
 
-/// The estimate of the error, and what it rests on; `None` where nothing was estimated.
+/// Describes the error estimate and its basis; `None` without an estimate.
 fn error(run: &Run) -> Option<String> {
     let estimate = run.error_estimate?;
     let basis = match run.estimate_basis? {
@@ -311,7 +310,7 @@ fn error(run: &Run) -> Option<String> {
     Some(format!("{} of the {of} ({basis})", units::below(estimate)))
 }
 
-/// The greatest of all results' own estimates.
+/// Describes the largest error estimate of all results.
 fn largest_error(run: &Run) -> Option<String> {
     run.error_estimate?;
     let estimates = run.error_estimates.iter();
@@ -329,7 +328,7 @@ mod tests {
         plain_run(&scene(pairs)).unwrap()
     }
 
-    /// Without a spring both bodies, of equal mass, share the momentum: half the velocity, half the energy.
+    /// Without a spring two bodies of equal mass share the momentum: half the velocity, half the energy.
     #[test]
     fn valid_a_free_plate_of_equal_mass_takes_half_of_everything() {
         let run = run_of("k=0");
