@@ -1,9 +1,9 @@
-//! The algorithm of the thesis's Appendix A, step by step; each of its errors is a switch.
+//! Algorithm of the thesis's Appendix A, step by step; each of its errors is a switch.
 //!
-//! The scripts m50, m200 and m300 are read as one loop. Each step: depth from the projectile's travel, area, one force; the
-//! projectile by the trapezoid of old and new force (its travel by forward Euler); the plate by one Runge-Kutta step with the
-//! force held. It ends when the relative velocity falls below 0.01 m/s or the area vanishes. What is wrong with it is named in
-//! [`Listing`]. Here is a step of the contact; the run is in [`listing`].
+//! The scripts m50, m200 and m300 are read as one loop. Each step computes the depth from the projectile's travel, then the area and one
+//! force. The projectile is advanced by the trapezoid of old and new force (its travel by forward Euler), the plate by one Runge-Kutta step
+//! with a constant force. The contact ends when the relative velocity falls below 0.01 m/s or the area vanishes. [`Listing`] names the
+//! errors. This module computes a step of the contact; [`listing`] computes the run.
 
 use crate::model::contact::Geometry;
 use crate::model::mechanism::PowerLaw;
@@ -12,13 +12,13 @@ use crate::model::scene::{Listing, Scene};
 
 pub mod listing;
 
-/// Relative velocity at which the listing stops, m/s.
+/// Relative velocity at which the listing ends the contact, m/s.
 const SLOW_M_S: f64 = 0.01;
 
-/// Where the scheme is.
+/// State of the scheme.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct State {
-    /// The projectile's own travel, the listing's `Pen`, m.
+    /// Travel of the projectile itself, the listing's `Pen`, m.
     pub pen_m: f64,
     /// Relative travel, m.
     pub travel_m: f64,
@@ -38,7 +38,7 @@ pub struct State {
     pub force_n: f64,
 }
 
-/// The scheme, made ready for one scene.
+/// Scheme with the constants of a scene.
 #[derive(Clone, Debug)]
 pub struct Scheme {
     listing: Listing,
@@ -46,14 +46,14 @@ pub struct Scheme {
     projectile_kg: f64,
     strength_pa: f64,
     drag_kg_m3: f64,
-    /// Cosine that couples force, plate and relative travel.
+    /// Cosine of the obliquity, which couples force, plate and relative travel.
     cos: f64,
     plate: Plate,
-    /// The state at first contact. As printed, its relative velocity is the projectile's own.
+    /// State at first contact. As printed, its relative velocity is the projectile's own velocity.
     pub start: State,
 }
 
-/// The plate, and how it is carried.
+/// Plate with its mechanism.
 #[derive(Clone, Copy, Debug)]
 pub struct Plate {
     mass_kg: f64,
@@ -63,18 +63,18 @@ pub struct Plate {
 }
 
 impl Plate {
-    /// Spring and damper force at a state, N, with the signs the listing gives them.
+    /// Returns spring and damper force at a state, N, with the signs of the listing.
     pub fn forces_n(&self, [x, w]: [f64; 2]) -> (f64, f64) {
         (self.spring.force(x), self.damper.force(if self.signed { w } else { w.abs() }))
     }
 
-    /// A.9: d/dt of (displacement, velocity) under the force.
+    /// Returns d/dt of (displacement, velocity) under the force (A.9).
     fn rate(&self, y: [f64; 2], force_n: f64) -> [f64; 2] {
         let (spring, damper) = self.forces_n(y);
         [y[1], (force_n - damper - spring) / self.mass_kg]
     }
 
-    /// A.8, and A.6 with no force: one Runge-Kutta step.
+    /// Advances the plate by one Runge-Kutta step (A.8; A.6 for zero force).
     pub fn step(&self, y: [f64; 2], force_n: f64, dt_s: f64) -> [f64; 2] {
         runge_kutta(y, dt_s, |y| self.rate(y, force_n))
     }
@@ -94,7 +94,7 @@ fn runge_kutta<const N: usize>(
 }
 
 impl Scheme {
-    /// The scheme of a valid scene under one reading of the listing.
+    /// Creates the scheme of a valid scene under one reading of the listing.
     pub fn from_scene(scene: &Scene, listing: Listing) -> Self {
         let geometry = Geometry::from_scene(scene);
         let cos = if listing.corrects_obliquity { geometry.nose.cos } else { 1.0 };
@@ -165,7 +165,7 @@ impl Scheme {
         self.load(state)
     }
 
-    /// Depth, area and force at the present travels.
+    /// Computes depth, area and force from the present travels.
     fn load(&self, state: &mut State) -> Result<(), EndReason> {
         let increment_m = state.plate[0] - state.plate_before[0];
         state.depth_m = self.depth_m(state.pen_m, state.travel_m, increment_m);
@@ -192,7 +192,7 @@ impl Scheme {
         (area, area * (self.drag_kg_m3 * slip_m_s * slip_m_s + self.strength_pa))
     }
 
-    /// Whether, and how, the contact has ended.
+    /// Returns the outcome once the contact has ended; `None` before.
     pub fn ended(&self, state: &State) -> Option<Outcome> {
         let is_slow = if self.listing.corrects_stopping {
             state.slip_m_s <= 0.0

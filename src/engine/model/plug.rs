@@ -1,8 +1,9 @@
 //! The plug that a blunt nose or a fragment shears out of a plate.
 //!
 //! Form of the law: R. F. Recht and T. W. Ipson, *Journal of Applied Mechanics* 30 (1963) 384-390: the plug is picked up in a perfectly
-//! inelastic impact, then sheared off. Four constants are fitted on measured ballistic limits of the REL database (Ryan et al., *Defence
-//! Technology* 2023; Mendeley Data, doi 10.17632/4f92y6jzzh.2, CC BY 4.0); each says so.
+//! Form of the law: R. F. Recht and T. W. Ipson, *Journal of Applied Mechanics* 30 (1963) 384-390: the projectile picks up the plug in a
+//! perfectly inelastic impact, then shears it off. Four constants are fitted to measured ballistic limits of the REL database (Ryan et al.,
+//! *Defence Technology* 2023; Mendeley Data, doi 10.17632/4f92y6jzzh.2, CC BY 4.0) and marked as fitted.
 //!
 //! The force over the slip s is `F = pi D_p tau (h_p - s)` with tau = `sigma_1`/3^(1/2), up to the slip at which the work per sheared area
 //! has reached `w h_p`. So the work is W = `pi D_p h_p² w` and the slip ends at `s_f = h_p (1 - (1 - 2 w/tau)^(1/2))`. Ductile shearing through
@@ -14,18 +15,18 @@ use crate::model::scene::{Nose, Scene};
 use crate::model::strength::flow_stress_pa;
 use crate::numerics::smaller;
 
-/// Thickness of the plug over the projectile's diameter, at most; fitted.
+/// Maximum thickness of the plug, in projectile diameters; fitted.
 const THICKNESS: f64 = 1.35;
-/// Area of the hole over the section of a fragment, which mushrooms; fitted. A rigid cylinder has 1.
+/// Area of the hole of a fragment over its cross-section, because a fragment mushrooms; fitted. A rigid cylinder has 1.
 const FRAGMENT_AREA: f64 = 2.0;
-/// Diameter of the plug of a fragment on steel over the fragment's own; fitted.
+/// Diameter of a fragment's plug in steel, in fragment diameters; fitted.
 const ON_STEEL: f64 = SQRT_2;
-/// Work w of adiabatic shear of light alloys and of steel, Pa; fitted. Over nine
-/// aluminium alloys of 310e6 to 552e6 Pa it was 88e6 to 128e6 Pa.
+/// Work w of adiabatic shear of light alloys and of steel, Pa; fitted. For nine aluminium alloys of 310e6 to 552e6 Pa it was 88e6 to 128e6
+/// Pa.
 const ADIABATIC_LIGHT_PA: f64 = 95e6;
 const ADIABATIC_STEEL_PA: f64 = 250e6;
 
-/// The metals for which a plug law is known.
+/// Metals with a plug law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Metal {
     /// Alloys of aluminium and magnesium.
@@ -35,12 +36,12 @@ pub enum Metal {
 }
 
 impl Metal {
-    /// Density below which a metal is a light alloy, kg/m³.
+    /// Upper limit of the density of a light alloy, kg/m³.
     pub const LIGHT_BELOW_KG_M3: f64 = 4000.0;
-    /// Densities of steels, kg/m³, from iron with much chromium to austenitic steel.
+    /// Range of the density of steels, kg/m³, from high-chromium to austenitic steel.
     pub const STEEL_KG_M3: (f64, f64) = (7500.0, 8100.0);
 
-    /// The metal of a density, kg/m³; `None` for other metals.
+    /// Returns the metal of a density, kg/m³; `None` for other metals.
     pub fn of_density(density_kg_m3: f64) -> Option<Self> {
         let (low, high) = Self::STEEL_KG_M3;
         let is_steel = (low..=high).contains(&density_kg_m3);
@@ -56,7 +57,7 @@ impl Metal {
     }
 }
 
-/// The plug of one shot.
+/// Plug of a shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plug {
     /// Mass `m_k`, kg.
@@ -67,16 +68,16 @@ pub struct Plug {
     pub thickness_m: f64,
     /// Shear strength tau, Pa.
     pub shear_pa: f64,
-    /// Slip at which the plug is free, `s_f`, m.
+    /// Slip at which the plug is fully sheared, `s_f`, m.
     pub slip_m: f64,
     /// Work of shearing W, J.
     pub work_j: f64,
-    /// Area of the hole ahead of the plug, m².
+    /// Area of the hole in front of the plug, m².
     pub hole_area_m2: f64,
 }
 
 impl Plug {
-    /// The plug of a valid scene; `None` for a nose that pushes the metal aside, or without a law for the metal.
+    /// Computes the plug of a valid scene; `None` for a nose that pushes the metal aside, or without a law for the metal.
     pub fn from_scene(scene: &Scene) -> Option<Self> {
         let nose = scene.projectile.nose;
         if !nose.shears() {
@@ -91,7 +92,7 @@ impl Plug {
         Some(Self::new(nose, metal, body_m, target.density_kg_m3, (thickness_m, strength_pa)))
     }
 
-    /// The plug of a body of this diameter, from the thickness that is left and the flow stress at a strain of one.
+    /// Computes the plug of a body of this diameter, from the remaining thickness and the flow stress at a strain of 1.
     fn new(
         nose: Nose,
         metal: Metal,
@@ -117,12 +118,12 @@ impl Plug {
         }
     }
 
-    /// Shear force at a slip up to `slip_m`, N.
+    /// Returns the shear force at a slip up to `slip_m`, N.
     pub fn force_n(&self, slip_m: f64) -> f64 {
         PI * self.diameter_m * self.shear_pa * (self.thickness_m - slip_m)
     }
 
-    /// Part of its velocity relative to the plate that a projectile of this mass keeps when it picks up the plug.
+    /// Returns the fraction of its velocity relative to the plate that a projectile of this mass retains when it picks up the plug.
     pub fn kept(&self, projectile_kg: f64) -> f64 {
         projectile_kg / (projectile_kg + self.mass_kg)
     }
@@ -133,7 +134,8 @@ mod tests {
     use super::*;
     use crate::model::variables::scene_with;
 
-    /// A fragment of 20 mm on 25.1 mm of AA5059-H131, on 38.7 mm of AA2139-T8, of 12.6 mm on steel, and a rigid cylinder on Weldox 460 E.
+    /// Shots: a fragment of 20 mm on 25.1 mm of AA5059-H131, on 38.7 mm of AA2139-T8, of 12.6 mm on steel, and a rigid cylinder on Weldox
+    /// 460 E.
     #[test]
     fn valid_plugs_of_four_shots() {
         let near = |a: f64, b: f64| (a / b - 1.0).abs() < 2e-6;
@@ -151,7 +153,7 @@ mod tests {
         );
         assert!(near(on_2139.thickness_m, 26.865e-3) && near(on_2139.mass_kg, 23.4795e-3));
         assert!(near(on_2139.work_j, 4286.47));
-        // Work is force over slip: a trapezium.
+        // The work is the integral of the force over the slip, a trapezium.
         for it in [
             on_5059,
             on_2139,
@@ -163,7 +165,7 @@ mod tests {
         // Ductile shearing ends at the rear face: w = tau/2.
         let ductile = plug("nose=blunt R=10mm h=12mm rho=7850 Y=490MPa UTS=567MPa E=200GPa");
         assert!((ductile.slip_m - ductile.thickness_m).abs() < 1e-17);
-        // A fragment on steel takes out a plug of twice its own section.
+        // The plug of a fragment on steel has twice the fragment's cross-section.
         let on_steel = plug(
             "nose=fragment m_p=13.4g R=6.3mm h=10.4mm rho=7850 Y=1350MPa UTS=1640MPa E=207GPa",
         );

@@ -1,9 +1,9 @@
-//! The scene: everything a run depends on, and the rules a scene must keep to make physical sense.
+//! Scene: all inputs of a run, and the rules for physically meaningful scenes.
 //!
-//! Symbols and default values are those of Table 9.1 and of the baseline of chapter 9 of the thesis (with
-//! `S_y` = 1.52e8 Pa: the table's 1.52e7 is a misprint). Units are SI; the obliquity alone is kept in degrees, so
-//! that a value typed in degrees is stored exactly. This file knows no files and no screen; the row of each
-//! variable, which describes it for people, stands beside its field; [`crate::model::variables`] has them all.
+//! Symbols and default values are those of Table 9.1 and of the baseline of chapter 9 of the thesis (with `S_y` = 1.52e8 Pa: the table's
+//! 1.52e7 is a misprint). Units are SI, except for the obliquity. It is stored in degrees, so that a value typed in degrees is stored
+//! exactly. The module does not depend on files or the terminal. The table row of each variable is next to its field;
+//! [`crate::model::variables`] collects the rows.
 
 use crate::model::strength::{hardening_exponent, hole_growth_pa};
 use crate::model::variables::part::parts;
@@ -21,13 +21,13 @@ pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing};
 pub use mechanism::{Combination, Mechanism, OwnMass, Stop, StopKind, Wire};
 pub(in crate::model) use mechanism::{damper_rows, second_rows};
 
-/// A projectile, the plate it strikes, and the mechanism that carries the plate.
+/// Projectile, struck plate, and the mechanism that carries the plate.
 #[expect(missing_docs, reason = "each part says what it is")]
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Scene {
-    /// A short name for people.
+    /// Short title.
     pub title: String,
-    /// Where the numbers come from and what to expect.
+    /// Source of the numbers, and the expected result.
     pub notes: String,
     pub projectile: Projectile,
     pub target: Target,
@@ -37,12 +37,12 @@ pub struct Scene {
     pub contact: Contact,
     pub run: RunSettings,
     pub stack: Stack,
-    /// The sweep this scene is the base of, if any.
+    /// Sweep with this scene as its base, if any.
     pub sweep: Option<Sweep>,
 }
 
 parts! {
-    /// How a run is computed.
+    /// Settings of the computation of a run.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct RunSettings at (run) {
         pub tolerance: f64 = 1e-9 => "tol", "tolerance", "relative error tolerance of depth and time",
@@ -51,7 +51,7 @@ parts! {
             optional(Time, Positive, "auto").source("absent: until the results are known");
     }
 
-    /// The elements behind the scene's own plate.
+    /// Elements behind the scene's own plate.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Stack at (stack) {
         pub base_thickness_m: Option<f64> = None => "h_base", "base thickness",
@@ -66,12 +66,12 @@ parts! {
         pub gap_m: Option<f64> = None => "gap", "gap",
             "clear distance behind each plate: a warning where a plate travels farther",
             optional(Length, Positive, "none").is_seldom(true).listed(is_stack).source("none: enough");
-        /// Further elements that are not like the first, in order.
+        /// Further elements that differ from the first, in order.
         pub layers: Vec<Layer> = Vec::new();
     }
 }
 
-/// The sweep a scene is the base of: kept with the scene so that a figure opens from its preset.
+/// Sweep stored with its base scene, so that a figure opens from its preset.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Sweep {
     /// Axes of the sweep; at least one.
@@ -83,31 +83,31 @@ pub struct Sweep {
 /// Axis of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepAxis {
-    /// A variable's symbol or key.
+    /// Symbol or key of a variable.
     pub name: String,
-    /// First value, stored unit.
+    /// First value, in the stored unit.
     pub from: f64,
-    /// Last value, stored unit.
+    /// Last value, in the stored unit.
     pub to: f64,
     /// Number of points, >= 2.
     pub count: usize,
-    /// Points at equal ratios instead of equal differences.
+    /// Whether the points are geometrically spaced; else linearly.
     pub log: bool,
-    /// The values themselves, in this order, instead of a range; empty for a range.
+    /// Listed values, in this order, instead of a range; empty for a range.
     pub values: Vec<f64>,
 }
 
 impl SweepAxis {
-    /// An axis of a number of points at equal differences.
+    /// Creates a linearly spaced axis.
     pub fn linear(name: &str, from: f64, to: f64, count: usize) -> Self {
         Self { name: name.to_owned(), from, to, count, log: false, values: Vec::new() }
     }
 }
 
-/// Standard acceleration of free fall, m/s².
+/// Standard gravity, m/s².
 pub const GRAVITY_M_S2: f64 = 9.806_65;
 
-/// Most further elements that a scene may list: the time of a run and of a key grows with the square of their number.
+/// Maximum number of listed elements. The time of a run, and of each keystroke, grows with the square of their number.
 pub const LAYERS_MAX: usize = 50;
 
 /// Element of a stack: a plate on its mechanism or mount.
@@ -120,7 +120,7 @@ pub struct Layer {
 }
 
 impl Scene {
-    /// Mass ratio gamma: given, or what the plate's size gives.
+    /// Returns the mass ratio gamma: given, or from the plate's size.
     pub fn mass_ratio(&self) -> f64 {
         let Target { thickness_m, density_kg_m3, .. } = self.target;
         match self.plate.size {
@@ -132,17 +132,17 @@ impl Scene {
         }
     }
 
-    /// Plate mass `m_2 = gamma m_p`, kg.
+    /// Returns the plate mass `m_2 = gamma m_p`, kg.
     pub fn plate_mass_kg(&self) -> f64 {
         self.mass_ratio() * self.projectile.mass_kg
     }
 
-    /// Whether other plates stand behind this one, the last of them the base plate.
+    /// Returns `true` if further plates stand behind this one, the last of them the base plate.
     pub fn is_stack(&self) -> bool {
         self.stack.base_thickness_m.is_some()
     }
 
-    /// Weight of the projectile along the plate's normal, N: 0 unless it is counted, on a mechanism.
+    /// Returns the weight of the projectile along the plate's normal, N; 0 if it is not counted, or on a rigid mount.
     pub fn weight_n(&self) -> f64 {
         let acts = self.projectile.weight
             && self.is_sprung()
@@ -150,47 +150,47 @@ impl Scene {
         if acts { self.projectile.mass_kg * GRAVITY_M_S2 } else { 0.0 }
     }
 
-    /// Whether a mechanism carries the plate, and no rigid mount.
+    /// Returns `true` if a mechanism carries the plate; `false` for a rigid mount.
     pub fn is_sprung(&self) -> bool {
         self.plate.mount == Mount::Sprung
     }
 
-    /// The plate's displacement at first contact, -d, m; 0 on a rigid mount, and never -0.
+    /// Returns the plate's displacement at first contact, -d, m; 0 on a rigid mount. Never returns -0.
     pub fn start_m(&self) -> f64 {
         if self.is_sprung() { 0.0 - self.plate.cocking_m } else { 0.0 }
     }
 
-    /// The plate's velocity at first contact along its normal, m/s; 0 on a rigid mount.
+    /// Returns the plate's velocity at first contact along its normal, m/s; 0 on a rigid mount.
     pub fn plate_velocity_m_s(&self) -> f64 {
         if self.is_sprung() { self.plate.velocity_m_s } else { 0.0 }
     }
 
-    /// The velocity with which the projectile meets the plate, along its own axis, m/s.
+    /// Returns the closing velocity of projectile and plate along the projectile's axis, m/s.
     pub fn closing_velocity_m_s(&self) -> f64 {
         self.projectile.velocity_m_s - self.plate_velocity_m_s() * self.cos_obliquity()
     }
 
-    /// Side of the plate's square face, `(m_2/(rho h))^(1/2)`, m: the plate is a block of its material.
+    /// Returns the side of the plate's square face, `(m_2/(rho h))^(1/2)`, m. The plate is a block of its material.
     pub fn plate_face_m(&self) -> f64 {
         (self.plate_mass_kg() / (self.target.density_kg_m3 * self.target.thickness_m)).sqrt()
     }
 
-    /// The closure that the plate's thickness chooses; `None` where the scene states one.
+    /// Returns the closure chosen by the plate's thickness; `None` if the scene states a closure.
     pub fn closure_by_thickness(&self) -> Option<Closure> {
         (self.target.closure == Closure::ByThickness).then(|| self.closure())
     }
 
-    /// The target with the closure, the dishing and the drag in effect.
+    /// Returns the target with the closure, the dishing and the drag in effect.
     pub fn target_in_effect(&self) -> Target {
         self.target.in_effect(&self.projectile)
     }
 
-    /// The closure in effect: the one that is stated, or the one that the plate's thickness chooses.
+    /// Returns the closure in effect: stated, or chosen by the plate's thickness.
     pub fn closure(&self) -> Closure {
         self.target_in_effect().closure
     }
 
-    /// The flow strength in the contact force, Pa: given, or from Y and E by the closure.
+    /// Returns the flow strength in the contact force, Pa: given, or from Y and E by the closure.
     pub fn flow_strength_pa(&self) -> f64 {
         let Target { flow_strength_pa, yield_pa: y, modulus_pa: e, .. } = self.target;
         match self.closure() {
@@ -203,13 +203,13 @@ impl Scene {
         }
     }
 
-    /// Hardening exponent of the plate's metal; 0 without a tensile strength above Y.
+    /// Returns the hardening exponent of the plate's metal; 0 without a tensile strength above Y.
     pub fn hardening_exponent(&self) -> f64 {
         let Target { yield_pa, tensile_pa, modulus_pa, .. } = self.target;
         hardening_exponent(yield_pa, tensile_pa, modulus_pa)
     }
 
-    /// Whether the law in effect counts the hardening of the plate's metal, and none is given.
+    /// Returns `true` if the law in effect includes hardening but the scene gives none.
     pub fn lacks_hardening(&self) -> bool {
         let closure = self.closure();
         let counts = closure == Closure::Cylindrical
@@ -218,17 +218,17 @@ impl Scene {
         counts && tensile_pa.is_none_or(|tensile_pa| tensile_pa <= yield_pa)
     }
 
-    /// cos(theta).
+    /// Returns cos(theta).
     pub fn cos_obliquity(&self) -> f64 {
         self.projectile.obliquity_deg.to_radians().cos()
     }
 
-    /// `h_e = h / cos(theta)`, m.
+    /// Returns `h_e = h / cos(theta)`, m.
     pub fn effective_thickness_m(&self) -> f64 {
         self.target.thickness_m / self.cos_obliquity()
     }
 
-    /// `c = C_d rho / 2`, kg/m³.
+    /// Returns `c = C_d rho / 2`, kg/m³.
     pub fn drag_kg_m3(&self) -> f64 {
         0.5 * self.target_in_effect().drag_coefficient * self.target.density_kg_m3
     }

@@ -1,9 +1,8 @@
-//! A stack of elements: a projectile that perforates one hits the next with its residual velocity; the last one is
-//! a base plate on a rigid mount. Thesis section 6.2.8, arrays "upward out of the plane of a base armor plate".
+//! Stack of elements. A projectile that perforates an element strikes the next with its residual velocity; the last element is a base plate
+//! on a rigid mount. Thesis section 6.2.8, arrays "upward out of the plane of a base armor plate".
 //!
-//! A projectile that shears out a plug strikes the next plate together with it, with a blunt front; otherwise its mass and nose do not
-//! change. Plates do not touch each other. A plate that travels farther than the gap behind it gives a warning; the contact of plates is
-//! not computed.
+//! A projectile that shears out a plug strikes the next plate together with the plug, with a blunt front. Otherwise its mass and nose are
+//! unchanged. Contact between plates is not computed; a plate that moves farther than the gap behind it gives a warning.
 
 use std::sync::Arc;
 
@@ -12,28 +11,28 @@ use crate::model::run::{Outcome, Run, RunWarning};
 use crate::model::scene::{Closure, Layer, Mount, Nose, PlateSize, Scene, Stack};
 use crate::model::variables::VariableError;
 
-/// The outcome of a shot into a stack.
+/// Result of a shot into a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackRun {
-    /// The elements after the first that were struck, in order; the base plate, where it was, at the end.
+    /// Runs of the struck elements behind the first, in order; the base plate is last if it was struck.
     pub behind: Vec<Arc<Run>>,
-    /// How many elements there are, the base plate not counted.
+    /// Number of elements, without the base plate.
     pub elements: usize,
-    /// The outcome of the shot in the last that was struck.
+    /// Outcome of the shot in the last struck plate.
     pub outcome: Outcome,
-    /// Thickness perforated along the shot's line, and the depth in what stopped it, m; `None` where nothing did.
+    /// Perforated thickness along the shot's line plus the depth in the stopping plate, m; `None` if no plate stopped the shot.
     pub penetration_m: Option<f64>,
-    /// Velocity behind a perforated base plate, m/s.
+    /// Residual velocity behind a perforated base plate, m/s.
     pub residual_velocity_m_s: Option<f64>,
 }
 
 impl StackRun {
-    /// The name of the plate with this number, 0 for the first.
+    /// Returns the name of the plate with this index, starting at 0.
     pub fn name(&self, plate: usize) -> String {
         name(plate, self.elements)
     }
 
-    /// The sentence: `stopped in element 2 of 3, 31.20 mm in all`.
+    /// Describes the outcome: `stopped in element 2 of 3, 31.20 mm in all`.
     pub fn sentence(&self) -> String {
         let name = self.name(self.behind.len());
         let last = if self.behind.len() < self.elements { name } else { format!("the {name}") };
@@ -52,16 +51,16 @@ impl StackRun {
     }
 }
 
-/// The name of the plate with this number, 0 for the first, before or behind so many elements.
+/// Returns the name of the plate with this index, starting at 0, in a stack of this many elements.
 pub(super) fn name(plate: usize, elements: usize) -> String {
     if plate < elements { format!("element {}", plate + 1) } else { "base plate".to_owned() }
 }
 
-/// Follow the shot behind the scene's own plate, whose run is `first`, plate by plate; `None` where the scene is not a stack.
-/// Warnings about the stack are added to `first`.
+/// Runs the plates behind the scene's own plate, whose run is `first`, one after the other; `None` if the scene is not a stack. Adds
+/// warnings about the stack to `first`.
 ///
 /// # Errors
-/// A [`VariableError`] when an element makes no physical sense by itself.
+/// Returns a [`VariableError`] if an element makes no physical sense by itself.
 pub fn follow(
     scene: &Scene,
     first: &mut Run,
@@ -87,7 +86,7 @@ pub fn follow(
     let last = behind.last().map_or(&*first, |run| run);
     let residual_velocity_m_s = residual_velocity_m_s(last);
     let (outcome, depth_m) = match last.outcome {
-        // A plate that oscillates over the projectile has stopped it, if from behind.
+        // A plate that oscillates across the projectile has stopped it, though from behind.
         Outcome::Perforated if last.end.is_complete() && residual_velocity_m_s.is_none() => {
             (Outcome::Separated, Some(last.scene.effective_thickness_m()))
         }
@@ -103,13 +102,13 @@ pub fn follow(
     }))
 }
 
-/// The velocity with which the projectile goes on behind a plate, m/s; `None` where it does not.
+/// Returns the velocity of the projectile behind a plate, m/s; `None` if it does not perforate.
 fn residual_velocity_m_s(run: &Run) -> Option<f64> {
     let through = run.outcome == Outcome::Perforated && run.end.is_complete();
     run.residual_velocity_m_s.filter(|velocity| through && *velocity > 0.0)
 }
 
-/// The scene of each plate in order, the base plate last, all with the first one's shot and what it takes with it.
+/// Returns the scene of each plate in order, the base plate last. All have the shot of the first plate; plugs join the projectile.
 pub fn plates(scene: &Scene) -> Vec<Scene> {
     let alone = Scene { stack: Stack::default(), sweep: None, ..scene.clone() };
     // A validated scene has a whole number of elements, 1 to 50.
@@ -138,7 +137,7 @@ pub fn plates(scene: &Scene) -> Vec<Scene> {
     plates
 }
 
-/// Makes each plug part of the projectile that strikes the next plate. A mass ratio is that to the first projectile.
+/// Adds each plug to the projectile that strikes the next plate. Mass ratios still refer to the first projectile.
 fn carry_plugs(plates: &mut [Scene]) {
     for next in 1..plates.len() {
         let before = &plates[next - 1];
@@ -175,7 +174,7 @@ mod tests {
         (0.024_853_258_030, 145.888_518_321),
     ];
 
-    /// The closed forms of three rigid plates one after the other, in another program.
+    /// Reference: closed forms of three successive rigid plates in an independent program.
     #[test]
     fn valid_the_next_plate_is_struck_by_projectile_and_plug() {
         let alloy = "closure=cylindrical rho=2700 Y=276MPa UTS=310MPa E=68.3GPa";
@@ -188,12 +187,12 @@ mod tests {
             assert!(near(plate.residual_velocity_m_s.unwrap(), after_m_s), "{kg}");
         }
         assert_eq!(run.plates().count(), 3);
-        // The plates of a mass ratio keep their mass.
+        // Plates defined by a mass ratio keep their mass.
         let heavy = plates(&scene_with(&format!("{alloy} {shot} mount=sprung gamma=5")));
         assert!((heavy[1].plate_mass_kg() / 0.067 - 1.0).abs() < 1e-14);
     }
 
-    /// A plate behind a fragment is struck by a blunt front. It needs the strength of its metal too, and a mass above its plug's.
+    /// A plate behind a fragment is struck by a blunt front. It also needs the strength of its metal, and a mass above that of its plug.
     #[test]
     fn a_plate_behind_a_plug_without_its_law_is_refused() {
         let alloy = "closure=cylindrical rho=2700 Y=276MPa UTS=310MPa E=68.3GPa";

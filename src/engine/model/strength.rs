@@ -1,4 +1,4 @@
-//! Strength of a hardening metal: its exponent, its flow stress, and the pressure that opens a hole in it.
+//! Strength of a hardening metal: hardening exponent, flow stress, and the pressure that opens a hole.
 //!
 //! Stress over strain is `sigma = Y (E eps/Y)^n` beyond the yield stress Y, E the modulus of elasticity. Sources: A. Considère (1885);
 //! V. K. Luk and M. J. Forrestal, *Int. J. Impact Engng* 6 (1987) 291-301; M. J. Forrestal and T. L. Warren, *Int. J. Impact Engng* 36
@@ -11,16 +11,17 @@ use crate::numerics::root::bracketed_root;
 
 /// Square root of 3: shear stress over tensile stress in plane strain.
 const ROOT_3: f64 = 1.732_050_807_568_877_2;
-/// Greatest hardening exponent that is searched; metals have less than 0.6.
+/// Upper bound in the search for the hardening exponent; metals have less than 0.6.
 const EXPONENT_MAX: f64 = 2.0;
-/// End of the integral of the hole growth: the rest is below exp(-50).
+/// Upper limit of the hole-growth integral; the neglected part is below exp(-50).
 const FAR: f64 = 50.0;
-/// Panels of its quadrature on each side of a strain of order one; twice as many change nothing.
+/// Panels of the quadrature on each side of a strain of order 1; converged, since twice as many give the same result.
 const PANELS: usize = 5;
 
-/// Hardening exponent n of a metal with the yield stress Y and the engineering tensile strength U, Pa; 0 for U <= Y or without U.
+/// Computes the hardening exponent n of a metal with the yield stress Y and the engineering tensile strength U, Pa; 0 for U <= Y or without
+/// U.
 ///
-/// The load of a bar, `sigma exp(-eps)`, is greatest at eps = n (Considère). So U = Y (E n/(e Y))^n, whose greater root lies between
+/// The load of a bar, `sigma exp(-eps)`, has its maximum at eps = n (Considère). Hence U = Y (E n/(e Y))^n, whose larger root lies between
 /// e Y/E and 2.
 pub fn hardening_exponent(yield_pa: f64, tensile_pa: Option<f64>, modulus_pa: f64) -> f64 {
     let Some(tensile_pa) = tensile_pa.filter(|tensile_pa| *tensile_pa > yield_pa) else {
@@ -30,12 +31,12 @@ pub fn hardening_exponent(yield_pa: f64, tensile_pa: Option<f64>, modulus_pa: f6
     bracketed_root(1.0 / scale, EXPONENT_MAX, |n| n * (scale * n).ln() - rise)
 }
 
-/// Flow stress at a strain of one, Y (E/Y)^n, Pa.
+/// Returns the flow stress at a strain of 1, Y (E/Y)^n, Pa.
 pub fn flow_stress_pa(yield_pa: f64, modulus_pa: f64, exponent: f64) -> f64 {
     yield_pa * (modulus_pa / yield_pa).powf(exponent)
 }
 
-/// Pressure S that opens a cylindrical cavity from nothing in an incompressible metal, Pa; E > 3^(1/2) Y.
+/// Computes the pressure S that opens a cylindrical cavity from zero radius in an incompressible metal, Pa; E > 3^(1/2) Y.
 ///
 /// Matter at the radius r around a cavity of radius a has the strain t/3^(1/2) with exp(-t) = 1 - a²/r². Equilibrium is
 /// `d sigma_r` = (2/3^(1/2)) sigma dr/r and -2 dr/r = dt/(exp(t) - 1). The elastic region outside carries Y/3^(1/2) and begins at
@@ -47,7 +48,7 @@ pub fn hole_growth_pa(yield_pa: f64, modulus_pa: f64, exponent: f64) -> f64 {
         scale.ln()
     } else {
         let from = -(-1.0 / scale).ln_1p();
-        // By the logarithm of t, in which the integrand is smooth down to its small lower end.
+        // Integrate over ln t, in which the integrand is smooth down to the small lower limit.
         let by_logarithm = |y: f64| ((exponent + 1.0) * y).exp() / y.exp().exp_m1();
         gauss(from.ln(), 0.0, PANELS, by_logarithm) + gauss(0.0, FAR.ln(), PANELS, by_logarithm)
     };
@@ -58,7 +59,7 @@ pub fn hole_growth_pa(yield_pa: f64, modulus_pa: f64, exponent: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The root by Brent's method and the integral by adaptive quadrature in another program.
+    /// Reference: root by Brent's method and integral by adaptive quadrature in an independent program.
     #[test]
     fn valid_hardening_and_hole_growth_of_two_alloys() {
         for (y, u, e, n, s_mpa, sigma_mpa) in [
@@ -71,14 +72,14 @@ mod tests {
             let near = |a: f64, mpa: f64| (1e-6 * a / mpa - 1.0).abs() < 1e-11;
             assert!(near(hole_growth_pa(y, e, found), s_mpa), "{}", hole_growth_pa(y, e, found));
             assert!(near(flow_stress_pa(y, e, found), sigma_mpa));
-            // Considère: the load of the bar is greatest at eps = n, and the tensile strength is that load.
+            // Considère: the load of the bar has its maximum at eps = n, and the tensile strength is that load.
             let load = |eps: f64| y * (e * eps / y).powf(found) * (-eps).exp();
             assert!((load(found) / u - 1.0).abs() < 1e-13);
             assert!(load(0.99 * found) < u && load(1.01 * found) < u);
         }
     }
 
-    /// For n = 1 the integral is that of Debye: pi²/6 less a (1 - a/4 + a²/36).
+    /// For n = 1 the integral is the Debye integral: pi²/6 less a (1 - a/4 + a²/36).
     #[test]
     fn valid_hole_growth_has_its_limits() {
         let (y, e) = (276e6, 68.3e9);

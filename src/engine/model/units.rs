@@ -1,20 +1,20 @@
-//! Quantities as people write them: `25.4mm`, `7.5 MN/m`, `30deg`, `1/3`, `pi/6`, `*2`, `+5%`.
+//! Quantities in user notation: `25.4mm`, `7.5 MN/m`, `30deg`, `1/3`, `pi/6`, `*2`, `+5%`.
 //!
-//! Everything inside the program is SI. This file turns text into SI numbers and back, and knows which
-//! unit belongs to which kind of quantity. It knows nothing about scenes or screens.
+//! All other modules use SI. This module parses text into SI numbers, formats numbers as text, and defines the units of each dimension. It
+//! does not depend on scenes or the terminal.
 
 mod table;
 
 pub use table::Dimension;
 use table::UNITS;
 
-/// The refusal of NaN, an infinity, or an overflow such as `1e999`.
+/// Returns the error for NaN, an infinity, or an overflow such as `1e999`.
 fn not_finite(text: &str, quantity: Dimension) -> String {
     let (shown, example) = (quoted(text), quantity.example());
     format!("`{shown}` is not a finite number: write for example `{example}`")
 }
 
-/// The text as written, shortened where it would hide the rest of the sentence.
+/// Quotes the text as written, shortened if it is long.
 fn quoted(text: &str) -> String {
     const SHOWN_MAX: usize = 40;
     match text.char_indices().nth(SHOWN_MAX) {
@@ -23,18 +23,18 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// The unit of a bare number.
+/// Unit of a bare number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bare<'u> {
-    /// SI, on the command line; an angle needs its unit there.
+    /// SI, on the command line; an angle needs a unit there.
     Si,
-    /// The stored unit: where it is shown beside the field, or stands in the name, as in files (degrees for angles).
+    /// Stored unit (degrees for angles), if a field displays it or a name contains it, as in files.
     Stored,
-    /// The unit shown beside the field.
+    /// Unit displayed next to the field.
     In(&'u str),
 }
 
-/// Read a quantity; the result is in the stored unit (SI, degrees for angles). A refusal has its cure, and counts columns from 1.
+/// Parses a quantity; the result is in the stored unit (SI, degrees for angles). Errors contain the remedy and count columns from 1.
 pub fn parse(text: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, String> {
     let trimmed = text.trim();
     let example = quantity.example();
@@ -55,7 +55,7 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, Str
         (written, _) => written,
     };
     let needs_unit = bare == Bare::Si && quantity == Dimension::Angle;
-    // Zero is the same in every unit.
+    // Zero needs no unit.
     if unit.is_empty() && needs_unit && value != 0.0 {
         return Err(format!(
             "`{shown}` is an angle without a unit: write `{shown} deg` or `{shown} rad`"
@@ -74,12 +74,12 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, Str
     if scaled.is_finite() { Ok(scaled) } else { Err(not_finite(trimmed, quantity)) }
 }
 
-/// The unit of a bare number, as the end of a sentence.
+/// Returns the unit of a bare number, as the end of a sentence.
 fn no_unit_for(unit: &str) -> String {
     if unit.is_empty() { ", or no unit".to_owned() } else { format!(", or no unit for {unit}") }
 }
 
-/// The cure where a decimal comma, or one between thousands, follows the number that was read.
+/// Returns the remedy if a decimal comma or a thousands separator follows the parsed number.
 fn with_point(text: &str, rest: &str) -> Option<String> {
     let digits = number_prefix(rest.strip_prefix(',')?);
     let point = quoted(&text.replacen(',', ".", 1));
@@ -90,8 +90,7 @@ fn with_point(text: &str, rest: &str) -> Option<String> {
     }
 }
 
-/// The complaint, with its cure, about a range of which one end has a unit and the other has none. Zero is the same in every
-/// unit.
+/// Returns the error for a range with a unit at one end only; `None` if both ends have one. Zero needs no unit.
 pub fn one_bare_end(low: &str, high: &str, quantity: Dimension) -> Option<String> {
     let (low, high) = (low.trim(), high.trim());
     let unit_of = |text| {
@@ -114,7 +113,7 @@ pub fn one_bare_end(low: &str, high: &str, quantity: Dimension) -> Option<String
     Some(format!("`{bare}` has no unit and `{other}` has one: write `{}`{or}", range(unit)))
 }
 
-/// Read what may also be relative to `old`: `*2`, `/3`, `+5%`, `-5%`, else as [`parse`].
+/// Parses a quantity that may be relative to `old`: `*2`, `/3`, `+5%`, `-5%`, else as [`parse`].
 ///
 /// A leading sign without `%` is an ordinary number, so that `-3` stays minus three.
 pub fn parse_relative(
@@ -137,25 +136,25 @@ pub fn parse_relative(
     if new.is_finite() { Ok(new) } else { Err(not_finite(trimmed, quantity)) }
 }
 
-/// A value in the stored unit as a number of another one; `None` where that is none of this kind.
+/// Converts a value from the stored unit to another one; `None` if the unit has another dimension.
 pub fn in_unit(value: f64, unit: &str, quantity: Dimension) -> Option<f64> {
     let (times, over) = factor(unit, quantity)?;
     Some(value * over / times)
 }
 
-/// A unit other than the stored one by its usual name; `None` where it is none of this kind, or has an unusual prefix.
+/// Returns the standard name of a unit other than the stored one; `None` for another dimension, or an unusual prefix.
 pub fn unit_named(name: &str, quantity: Dimension) -> Option<&'static str> {
     let name = squeezed(name);
     let mut accepted = quantity.accepted().split(", ").filter(|_| name != quantity.unit());
     accepted.find(|accepted| squeezed(accepted) == name)
 }
 
-/// The unit written behind a number, empty where there is none; `None` where the text is no number.
+/// Returns the unit after a number, empty if there is none; `None` if the text is not a number.
 pub fn written_unit(text: &str) -> Option<&str> {
     expression(text.trim()).map(|(_, rest)| rest.trim())
 }
 
-/// The name of a unit without blanks and in plain letters.
+/// Normalises the name of a unit: without blanks, in ASCII.
 fn squeezed(unit: &str) -> String {
     let mut name: String = unit.chars().filter(|c| !c.is_whitespace()).collect();
     for (sign, plain) in [("µ", "u"), ("μ", "u"), ("·", "*"), ("°", "deg"), ("²", "2"), ("³", "3")]
@@ -173,7 +172,7 @@ fn factor(unit: &str, quantity: Dimension) -> Option<(f64, f64)> {
     }
     let is_accepted = unit_named(&name, quantity).is_some();
     let name = if is_accepted { name.replace('^', "") } else { name };
-    // Values are shown with any prefix; kg has one already.
+    // Values are displayed with any prefix; kg already has one.
     let takes_prefix = !stored.is_empty() && !stored.starts_with("kg");
     Prefix::ALL.iter().find_map(|prefix| {
         let base = name.strip_prefix(prefix.letter)?;
@@ -187,7 +186,7 @@ fn factor(unit: &str, quantity: Dimension) -> Option<(f64, f64)> {
     })
 }
 
-/// `number [(*|/) number]`, where a number may be `pi`; gives the value and what follows.
+/// Parses `number [(*|/) number]`, where a number may be `pi`; returns the value and the rest of the text.
 fn expression(text: &str) -> Option<(f64, &str)> {
     let (mut value, mut rest) = number(text)?;
     while let Some(sign @ ('*' | '/')) = rest.trim_start().chars().next() {
@@ -206,27 +205,27 @@ fn number(text: &str) -> Option<(f64, &str)> {
     Some((number.parse().ok()?, rest))
 }
 
-/// Length in bytes of the longest prefix that reads as a decimal number.
+/// Returns the length in bytes of the longest prefix that is a decimal number.
 fn number_prefix(text: &str) -> usize {
     let is_of_number = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
     let most = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
     (1..=most).rev().find(|end| text[..*end].parse::<f64>().is_ok()).unwrap_or(0)
 }
 
-/// The text for a missing number: NaN and infinity are never shown.
+/// Text for a missing number; NaN and infinity are never displayed.
 pub const NO_NUMBER: &str = "-";
 
-/// A number with a given number of decimals: `69.10`.
+/// Formats a number with a fixed number of decimals: `69.10`.
 pub fn decimals(value: f64, places: usize) -> String {
     if value.is_finite() { format!("{value:.places$}") } else { NO_NUMBER.to_owned() }
 }
 
-/// A number in scientific notation with a given number of decimals: `1.2e-9`.
+/// Formats a number in scientific notation with a fixed number of decimals: `1.2e-9`.
 pub fn scientific(value: f64, places: usize) -> String {
     if value.is_finite() { format!("{value:.places$e}") } else { NO_NUMBER.to_owned() }
 }
 
-/// An upper bound of a positive number in one digit: `< 2e-10` for 1.2e-10.
+/// Formats an upper bound of a positive number with one digit: `< 2e-10` for 1.2e-10.
 pub fn below(value: f64) -> String {
     let nearest = scientific(value, 0);
     let parts = nearest.split_once('e').map(|(digit, power)| (digit.parse(), power.parse()));
@@ -236,9 +235,9 @@ pub fn below(value: f64) -> String {
     format!("< {}", scientific(digit * 10f64.powi(power), 0))
 }
 
-/// A number as short as it can be and still read back to the same float: `1e5`, `0.0295`, `1.52e8`.
+/// Formats a number with the fewest digits that parse to the same float: `1e5`, `0.0295`, `1.52e8`.
 ///
-/// Plain digits between 1e-4 and 1e5, an exponent outside.
+/// Uses decimal notation between 1e-4 and 1e5, else an exponent.
 pub fn shortest(value: f64) -> String {
     let magnitude = value.abs();
     if !value.is_finite() {
@@ -250,14 +249,13 @@ pub fn shortest(value: f64) -> String {
     }
 }
 
-/// A number rounded to `digits` significant figures, without trailing zeros beyond them.
+/// Formats a number with `digits` significant figures, without trailing zeros.
 pub fn significant(value: f64, digits: usize) -> String {
     let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
     shortest(rounded)
 }
 
-/// A value of an SI unit, with a prefix that a person reads at a glance: `7.113 mm`, `19.26 kN`, `113.4 us`. Units that take no
-/// prefix have none.
+/// Formats a value in an SI unit with a suitable prefix: `7.113 mm`, `19.26 kN`, `113.4 us`. Units that do not take prefixes have none.
 pub fn engineering(value: f64, unit: &str, digits: usize) -> String {
     if !value.is_finite() {
         return NO_NUMBER.to_owned();
@@ -270,24 +268,24 @@ pub fn engineering(value: f64, unit: &str, digits: usize) -> String {
     format!("{number} {}{unit}", prefix.letter).trim_end().to_owned()
 }
 
-/// A velocity: `230.0 m/s`.
+/// Formats a velocity: `230.0 m/s`.
 pub fn velocity(value_m_s: f64, digits: usize) -> String {
     format!("{} m/s", fixed_significant(value_m_s, digits))
 }
 
-/// An SI prefix.
+/// SI prefix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prefix {
-    /// Factor to the stored unit: 1e-3.
+    /// Factor of the prefix: 1e-3.
     pub size: f64,
-    /// How many of it make one: 1e3, written out because 1/1e-6 is not 1e6.
+    /// Inverse of the factor: 1e3. Stored separately, because 1/1e-6 is not 1e6.
     pub in_one: f64,
     /// Letter of the prefix: m.
     pub letter: &'static str,
 }
 
 impl Prefix {
-    /// None.
+    /// No prefix.
     pub const NONE: Self = Self { size: 1.0, in_one: 1.0, letter: "" };
     const ALL: [Self; 9] = [
         Self { size: 1e9, in_one: 1e-9, letter: "G" },
@@ -310,7 +308,7 @@ impl Prefix {
         if takes_prefix { Self::for_value(value) } else { Self::NONE }
     }
 
-    /// The one that brings a value between 1 and 1000.
+    /// Chooses the prefix that brings a value into the range 1 to 1000.
     pub fn for_value(value: f64) -> Self {
         let magnitude = value.abs();
         if magnitude == 0.0 || !magnitude.is_finite() {
@@ -321,7 +319,7 @@ impl Prefix {
     }
 }
 
-/// `digits` significant figures in plain notation, zeros kept: `7.113`, `50.00`.
+/// Formats a number with `digits` significant figures in decimal notation, with trailing zeros: `7.113`, `50.00`.
 pub fn fixed_significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return NO_NUMBER.to_owned();
@@ -418,7 +416,7 @@ mod tests {
             ("1.5kJ", Dimension::Energy, 1500.0),
             ("1 lb/ft2", Dimension::ArealMass, 0.453_592_37 / (0.3048 * 0.3048)),
             ("4 g/cm2", Dimension::ArealMass, 40.0),
-            // Any prefix before the stored unit.
+            // Any prefix of the stored unit.
             ("2 GN", Dimension::Force, 2e9),
             ("3 mN s", Dimension::Impulse, 3e-3),
             ("5 nJ", Dimension::Energy, 5e-9),
@@ -427,7 +425,7 @@ mod tests {
             let value = parse(text, quantity, Bare::Si).unwrap();
             assert!((value - expected).abs() <= 4.0 * f64::EPSILON * expected, "{text}: {value}");
         }
-        // The nearest floats.
+        // Nearest floats.
         for (text, exact) in [("3in", 0.0762), ("25.4mm", 0.0254)] {
             assert_eq!(parse(text, Dimension::Length, Bare::Si), Ok(exact));
         }

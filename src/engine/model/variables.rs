@@ -1,8 +1,8 @@
-//! THE table of variables: key, symbol, unit, meaning, ranges, default and source, and how each is read and set.
+//! Table of all variables: key, symbol, unit, meaning, ranges, default, source, and access in a scene.
 //!
-//! The editor, `--set`, TOML files, CSV headers, the help page and the sweeps are all fed from here: a variable that is
-//! not in [`VARIABLES`] does not exist for a user. Values outside the range the thesis searched are legal and
-//! earn a warning; values without physical sense are refused with name, value, what is allowed and the cure.
+//! The editor, `--set`, TOML files, CSV headers, the help page and sweeps use [`VARIABLES`], so every user-visible variable has a row.
+//! Values outside the range searched by the thesis are legal and give a warning. Values without physical sense are rejected with name,
+//! value, allowed range and remedy.
 
 use std::sync::LazyLock;
 
@@ -32,7 +32,7 @@ pub use visible::{
     used_where,
 };
 
-/// Every variable there is, in the order of the editor: the group of each part of a scene, and when it is listed and, of that, used.
+/// All variables in the order of the editor, with the group of each part of a scene and the conditions under which it is listed and used.
 pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
     let always = |_: &Scene| true;
     [
@@ -56,121 +56,121 @@ pub static VARIABLES: LazyLock<Vec<Variable>> = LazyLock::new(|| {
 /// Row of the table of variables.
 #[derive(Clone, Copy)]
 pub struct Variable {
-    /// Full key as in a scene file, for example `plate.mass_ratio`.
+    /// Full key in a scene file, such as `plate.mass_ratio`.
     pub key: &'static str,
-    /// The thesis's symbol, or a short name: `gamma`.
+    /// Symbol of the thesis, or a short name: `gamma`.
     pub symbol: &'static str,
-    /// The noun for it, of at most sixteen letters: `mass ratio`.
+    /// Noun of at most sixteen letters: `mass ratio`.
     pub label: &'static str,
     /// Long name if the key does not give it; else empty.
     pub own_name: &'static str,
-    /// Other short words `--set` accepts.
+    /// Further short names accepted by `--set`.
     pub aliases: &'static [&'static str],
-    /// Whether a file has it only where its value is not the default.
+    /// Whether files omit the variable at its default value.
     pub is_seldom: bool,
-    /// Whether a list shows it: what belongs to another kind of spring or contact model is not even dimmed.
+    /// Whether lists show the variable. Variables of another kind of spring or contact model are hidden, not dimmed.
     pub listed: fn(&Scene) -> bool,
-    /// Whether it has an effect: rows without are dimmed in the editor.
+    /// Whether the variable has an effect; the editor dims variables without one.
     pub used: fn(&Scene) -> bool,
-    /// Where both hold; elsewhere neither does.
+    /// Condition for both `listed` and `used`.
     pub when: fn(&Scene) -> bool,
-    /// Whether its part of the scene is listed, and whether it has an effect.
+    /// Conditions under which the part of the scene is listed and has an effect.
     pub part: [fn(&Scene) -> bool; 2],
-    /// The group of the editor it stands in.
+    /// Group in the editor.
     pub group: Group,
     /// Meaning, as a sentence.
     pub meaning: &'static str,
-    /// Where its default comes from.
+    /// Source of the default.
     pub source: &'static str,
-    /// The range the thesis searched (Table 9.2), where it gives one.
+    /// Range searched by the thesis (Table 9.2), if given.
     pub thesis_range: Option<(f64, f64)>,
-    /// Whether the editor's arrow keys multiply it by 10^0.1; else they add to its last significant digit.
+    /// Whether the arrow keys of the editor multiply by 10^0.1; else they change the last significant digit.
     pub is_log: bool,
-    /// The kind of its value, and its access in a scene.
+    /// Kind of the value, and its access in a scene.
     pub kind: Kind,
 }
 
 labelled_enum! {
-    /// The groups of the editor, in order.
+    /// Groups of the editor, in order.
     pub enum Group: title {
         Projectile = "Projectile",
-        /// The plate's material.
+        /// Material of the plate.
         Target = "Target",
         Plate = "Plate",
         Mechanism = "Mechanism",
         Stop = "Stop",
-        /// The stack behind the plate.
+        /// Stack behind the plate.
         Stack = "Stack",
-        /// The interface between projectile and plate.
+        /// Interface between projectile and plate.
         Interface = "Interface",
-        /// How the run is computed.
+        /// Computation of the run.
         Run = "Analysis",
     }
 }
 
-/// The kind of value of a variable.
+/// Kind of the value of a variable.
 #[derive(Clone, Copy)]
 pub enum Kind {
-    /// A number.
+    /// Number.
     Number(Number),
-    /// Choice between a few words.
+    /// Choice between keywords.
     Choice {
-        /// The words, in order.
+        /// Keywords, in order.
         words: &'static [&'static str],
-        /// Index into `words`.
+        /// Returns the index into `words`.
         get: fn(&Scene) -> usize,
-        /// Set by index into `words`.
+        /// Sets the choice by its index into `words`.
         set: fn(&mut Scene, usize),
     },
-    /// true or false.
+    /// Switch, `true` or `false`.
     Switch {
-        /// Read it.
+        /// Returns the value.
         get: fn(&Scene) -> bool,
-        /// Set it.
+        /// Sets the value.
         set: fn(&mut Scene, bool),
     },
 }
 
-/// A numeric variable.
+/// Numeric variable.
 #[derive(Clone, Copy)]
 pub struct Number {
-    /// Dimension, which gives the units.
+    /// Dimension, which determines the units.
     pub quantity: Dimension,
-    /// The physically possible values.
+    /// Physically possible values.
     pub allowed: Allowed,
-    /// Whether it may be absent, and the word shown then (`none`, `auto`).
+    /// Keyword for a missing value (`none`, `auto`); `None` if the value is required.
     pub absent: Option<&'static str>,
-    /// Read it, in the stored unit; `None` when absent.
+    /// Returns the value in the stored unit; `None` if absent.
     pub get: fn(&Scene) -> Option<f64>,
-    /// Set it, in the stored unit.
+    /// Sets the value, in the stored unit.
     pub set: fn(&mut Scene, Option<f64>),
 }
 
-/// Least value of a quantity that must be greater than zero, in its stored unit: 1e-15 m is the size of a nucleus. Products and powers
-/// of smaller values underflow.
+/// Minimum value of a positive quantity, in its stored unit: 1e-15 m is the size of a nucleus. Products and powers of smaller values
+/// underflow.
 const LEAST: f64 = 1e-15;
 
-/// The values that make physical sense.
+/// Physically possible values of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Allowed {
     /// Greater than zero: `LEAST` or more.
     Positive,
-    /// This or more.
+    /// This value or more.
     From(f64),
     /// Zero or more.
     NonNegative,
     /// Any finite number.
     Any,
-    /// A velocity of the plate at which the projectile reaches it: a rule between values.
+    /// Plate velocity at which the projectile reaches the plate; a rule between several values.
     Closing,
-    /// From the first to the second, both included.
+    /// Closed interval.
     Between(f64, f64),
-    /// From the first, included, to below the second.
+    /// Half-open interval without its upper end.
     Below(f64, f64),
 }
 
 impl Allowed {
-    /// Whether `value` is finite and allowed.
+    /// Returns `true` if `value` is finite and allowed.
     pub fn contains(self, value: f64) -> bool {
         value.is_finite()
             && match self {
@@ -183,12 +183,12 @@ impl Allowed {
             }
     }
 
-    /// Whether its numbers have one sign.
+    /// Returns `true` if all allowed values have the same sign.
     fn has_sign(self) -> bool {
         matches!(self, Self::Positive | Self::From(_) | Self::NonNegative)
     }
 
-    /// The rule in words, with the unit: `greater than 0 kg`.
+    /// Describes the rule with the unit: `greater than 0 kg`.
     pub fn describe(self, quantity: Dimension) -> String {
         let unit = format!(" {}", quantity.unit());
         let unit = unit.trim_end();
@@ -205,21 +205,21 @@ impl Allowed {
     }
 }
 
-/// A variable's value, independent of its place in the scene.
+/// Value of a variable, independent of its field in the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
-    /// A number in the stored unit.
+    /// Number in the stored unit.
     Number(f64),
-    /// An optional number that is not there.
+    /// Missing optional number.
     Absent,
-    /// Word of a choice.
+    /// Keyword of a choice.
     Word(&'static str),
-    /// A switch.
+    /// Switch.
     Switch(bool),
 }
 
 impl Variable {
-    /// Read the value from a scene.
+    /// Returns the value in a scene.
     pub fn value(&self, scene: &Scene) -> Value {
         match &self.kind {
             Kind::Number(number) => (number.get)(scene).map_or(Value::Absent, Value::Number),
@@ -228,7 +228,7 @@ impl Variable {
         }
     }
 
-    /// Set the value, refusing what makes no physical sense by itself; the scene is unchanged then.
+    /// Sets the value; rejects values without physical sense and leaves the scene unchanged.
     pub fn set(&self, scene: &mut Scene, value: Value) -> Result<(), VariableError> {
         self.check(value)?;
         match (&self.kind, value) {
@@ -244,8 +244,7 @@ impl Variable {
         Ok(())
     }
 
-    /// Read a text as a value of this variable; numbers may be relative to the scene's present value. Whether a number makes sense
-    /// is found when it is set.
+    /// Parses a value of this variable; numbers may be relative to the scene's present value. [`Variable::set`] checks the physical sense.
     pub fn parse(&self, scene: &Scene, text: &str, bare: Bare<'_>) -> Result<Value, VariableError> {
         let word = text.trim();
         match &self.kind {
@@ -271,12 +270,12 @@ impl Variable {
         }
     }
 
-    /// The unit of a bare number under this name on the command line: the full key ends in its unit.
+    /// Returns the unit of a bare number under this name on the command line. A full key ends in its unit.
     pub fn bare(&self, name: &str) -> Bare<'static> {
         if name == self.key { Bare::Stored } else { Bare::Si }
     }
 
-    /// The value as text that [`Variable::parse`] reads back exactly: shortest digits, no unit.
+    /// Formats the value so that [`Variable::parse`] returns it exactly: shortest digits, no unit.
     pub fn show(&self, scene: &Scene) -> String {
         self.written(self.value(scene))
     }
@@ -290,12 +289,12 @@ impl Variable {
         }
     }
 
-    /// The words of a choice, in order; none for a number or a switch.
+    /// Returns the keywords of a choice, in order; empty for a number or a switch.
     pub fn keys(&self) -> &'static [&'static str] {
         if let Kind::Choice { words, .. } = self.kind { words } else { &[] }
     }
 
-    /// The stored unit's name; empty for pure numbers and words.
+    /// Returns the name of the stored unit; empty for pure numbers and words.
     pub fn unit(&self) -> &'static str {
         self.number().map_or("", |number| number.quantity.unit())
     }
@@ -305,7 +304,7 @@ impl Variable {
         if let Kind::Number(number) = &self.kind { Some(number) } else { None }
     }
 
-    /// The allowed values, in words.
+    /// Describes the allowed values.
     pub fn allowed(&self) -> String {
         match &self.kind {
             Kind::Number(number) => {
@@ -325,7 +324,7 @@ impl Variable {
         }
     }
 
-    /// A warning when the value is outside the range the thesis searched: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis
+    /// Returns a warning if the value is outside the range searched by the thesis: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis
     /// has no figure there`.
     pub fn range_warning(&self, scene: &Scene) -> Option<Warning> {
         let (low, high) = self.thesis_range?;
@@ -348,7 +347,7 @@ impl Variable {
         VariableError::NotAChoice { symbol, key, value, allowed }
     }
 
-    /// Refuses a number that makes no physical sense by itself.
+    /// Rejects a number that makes no physical sense by itself.
     fn check(&self, value: Value) -> Result<(), VariableError> {
         let (Kind::Number(number), Value::Number(value)) = (&self.kind, value) else {
             return Ok(());
@@ -378,14 +377,14 @@ impl Variable {
     }
 }
 
-/// Set a variable by name from text, as `--set NAME=VALUE` does; the scene is unchanged where that is refused.
+/// Sets a variable by name from text, as `--set NAME=VALUE` does; the scene is unchanged on error.
 pub fn set_by_name(scene: &mut Scene, name: &str, text: &str) -> Result<(), VariableError> {
     let variable = find(name.trim())?;
     let value = variable.parse(scene, text, variable.bare(name.trim()))?;
     variable.set(scene, value)
 }
 
-/// Check every value and the rules between values, in the order of the table.
+/// Checks all values and the rules between values, in the order of the table.
 pub fn validate(scene: &Scene) -> Result<(), VariableError> {
     for variable in VARIABLES.iter() {
         variable.check(variable.value(scene))?;
@@ -393,7 +392,7 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
     rules::check(scene)
 }
 
-/// A scene with variables changed, as `--set` takes them: `k=1e5 n=0.5`.
+/// Returns a scene with changed variables, in the format of `--set`: `k=1e5 n=0.5`.
 pub fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
     for change in changes.split_whitespace() {
         let (name, value) = change.split_once('=').unwrap_or((change, ""));
@@ -402,13 +401,13 @@ pub fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> 
     Ok(scene)
 }
 
-/// As [`changed`], of Table 9.1 with gamma = 1 and neither spring nor damper.
+/// Applies [`changed`] to the scene of Table 9.1 with gamma = 1 and without spring and damper.
 pub fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
     changed(Scene::default(), &format!("k=0 {changes}"))
 }
 
-/// Every value that is legal yet outside the range the thesis searched. Another shot or target than that of the thesis has nothing to
-/// do with its range.
+/// Returns warnings for legal values outside the ranges searched by the thesis. The ranges do not apply to another shot or target than the
+/// thesis's.
 pub fn range_warnings(scene: &Scene) -> Vec<Warning> {
     let usual = Scene::default();
     let is_of_thesis = ["m_p", "R", "rho", "S_y", "closure", "face", "m_2"]
@@ -421,7 +420,7 @@ pub fn range_warnings(scene: &Scene) -> Vec<Warning> {
         .collect()
 }
 
-/// The default scene with changes like `k=1e6 n=0.5`, in SI units.
+/// Returns the default scene with changes such as `k=1e6 n=0.5`, in SI units.
 #[cfg(test)]
 pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
     changed(Scene::default(), pairs).expect("values the variables take")
@@ -431,7 +430,7 @@ pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
 mod tests {
     use super::*;
 
-    /// Every number above zero has a least value, which its description says and below which it is refused.
+    /// Every positive number has a minimum, which its description states and below which it is rejected.
     #[test]
     fn numbers_above_zero_have_a_least_value() {
         let mut exponents = 0;

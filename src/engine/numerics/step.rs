@@ -32,7 +32,7 @@ pub(crate) trait SecondOrderOde<const D: usize> {
 /// Positions and velocities.
 pub(crate) type Point<const D: usize> = ([f64; D], [f64; D]);
 
-/// One-step method with dense output.
+/// Single-step method with dense output.
 pub(crate) trait Stepper<const S: usize> {
     /// Computes a step of size `h`; returns it with the size proposed for the next step. Adds to `evaluations`.
     ///

@@ -1,8 +1,8 @@
-//! The listing of Appendix A as a run: its contact, step by step, and what its `simulator` makes of the plate afterwards.
+//! Run of the listing of Appendix A: the contact, step by step, and the plate motion of its `simulator` afterwards.
 //!
-//! The motion after the contact starts from the plate's state before the last step, as printed, and uses the same steps to the
-//! plate's first turning point, or to the horizon where one is requested. The energy ledger adds up the scheme's own forces over
-//! its own steps: what does not add up is the scheme's error.
+//! As printed, the motion after the contact starts from the plate's state before the last step. It uses the same step size to the plate's
+//! first turning point, or to a requested horizon. The energy ledger sums the work of the scheme's forces over its steps, so the energy
+//! residual is the error of the scheme.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -16,16 +16,16 @@ use crate::model::run::{
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Scene};
 use crate::numerics::larger;
 
-/// Steps of the contact, and afterwards, at most.
+/// Maximum number of steps of the contact, and of the motion afterwards.
 const STEPS_MAX: usize = 2_000_000;
-/// Points to draw in the contact, and afterwards, at most (or so).
+/// Approximate maximum number of stored points of the contact, and of the motion afterwards.
 const POINTS: usize = 4_000;
-/// The observer is called once every few steps.
+/// Steps between calls of the observer.
 const LOOK: usize = 64;
-/// Without anything that stops the plate, what follows the contact is shown for this part of its duration.
+/// Duration of the motion after the contact over that of the contact, if nothing stops the plate.
 const TAIL: f64 = 0.25;
 
-/// Without a spring, a plate that has this part of the impact velocity has arrived.
+/// Velocity over impact velocity below which a plate without a spring has arrested.
 const FADED: f64 = 1e-6;
 
 struct Work {
@@ -41,7 +41,7 @@ struct Work {
     before: Option<Sample>,
 }
 
-/// Simulate a valid scene by the listing.
+/// Simulates a valid scene by the listing.
 pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let listing = scene.contact.appendix;
     let mut run = compute(scene, listing, settings.series, observer);
@@ -77,7 +77,7 @@ pub fn compute(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Obser
         keep,
         t_s: 0.0,
         deepest_m: 0.0,
-        // The listing puts a zero before the plate's positions: a cocked plate that stays behind neutral has gone as far as neutral.
+        // The listing prepends a zero to the plate's positions, so the maximum of a cocked plate that stays behind neutral is zero.
         max_displacement_m: 0.0,
         peak_n: 0.0,
         peak_mount_n: 0.0,
@@ -111,7 +111,7 @@ impl Work {
         }
     }
 
-    /// Notes where it is: work done since the point before by the trapezoid, extremes, and a point of the series (of many steps only some).
+    /// Records a step: its work by the trapezoidal rule, extremes, and a point of the series (thinned for many steps).
     fn note(&mut self, mode: ContactMode, step: usize, is_event: bool) {
         let sample = self.sample(mode);
         if let Some(before) = self.before {
@@ -135,7 +135,7 @@ impl Work {
         }
     }
 
-    /// The contact, to its end by the listing's own rule, and what follows it.
+    /// Computes the contact to its end by the listing's own rule, and the motion afterwards.
     fn contact(&mut self, observer: Observer<'_>) -> EndReason {
         for step in 1..=STEPS_MAX {
             if step.is_multiple_of(LOOK) && observer(&self.look()) == ControlFlow::Break(()) {
@@ -163,7 +163,7 @@ impl Work {
         EndReason::StepBudget
     }
 
-    /// Put the state where the relative velocity, or the area, vanished within the last step.
+    /// Moves the state to the time within the last step at which the relative velocity or the area vanished.
     fn locate(&mut self, before: &State, step: usize) {
         let after = self.state;
         let part = if after.area_m2 > 0.0 {
@@ -181,7 +181,7 @@ impl Work {
             pen_m: between(before.pen_m, after.pen_m),
             velocity_m_s: between(before.velocity_m_s, after.velocity_m_s),
             plate,
-            // Nothing is rewound: the located state is where the rest begins.
+            // The motion afterwards starts from the located state.
             plate_before: plate,
             depth_m: between(before.depth_m, after.depth_m),
             force_n: between(before.force_n, after.force_n),
@@ -191,7 +191,7 @@ impl Work {
 
     fn note_ending(&mut self, ending: Outcome) {
         self.run.outcome = ending;
-        // The listing writes the projectile's state after a step with the time before it.
+        // The listing stores the projectile's state after a step with the time before the step.
         let Listing { corrects_stopping, step_s, .. } = self.scheme.listing;
         let t_s = self.t_s - if corrects_stopping { 0.0 } else { step_s };
         let kind = if ending == Outcome::Perforated {
@@ -210,7 +210,7 @@ impl Work {
         self.run.events.push(Event { t_s, kind });
     }
 
-    /// A.5: the plate on its mechanism, with or without the projectile.
+    /// Computes the plate on its mechanism, with or without the projectile (A.5).
     fn afterwards(&mut self, observer: Observer<'_>) -> EndReason {
         let Scheme { plate, projectile_kg, listing, .. } = self.scheme;
         let scene = Arc::clone(&self.run.scene);
@@ -233,7 +233,7 @@ impl Work {
         for step in 1..=STEPS_MAX {
             if until_s.is_some_and(|until_s| self.t_s + 0.5 * dt_s > until_s) {
                 let turned = self.run.max_plate_displacement_m.is_some();
-                // What the listing prints is the greatest displacement within the time it was given.
+                // The listing prints the maximum displacement within the given time.
                 self.run.max_plate_displacement_m = horizon_s.map(|_| self.max_displacement_m);
                 return if is_free || turned { EndReason::Decided } else { EndReason::Horizon };
             }
@@ -254,7 +254,7 @@ impl Work {
             } else {
                 (self.state.velocity_m_s, self.state.pen_m) = (y[1], start_m + y[0]);
             }
-            // A damper alone never quite stops the plate.
+            // A damper alone stops the plate only asymptotically.
             let faded = springless && y[1].abs() < FADED * scene.projectile.velocity_m_s;
             let turned = rising && (y[1] <= 0.0 || faded);
             self.note(mode, step, turned);

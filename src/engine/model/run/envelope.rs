@@ -1,8 +1,8 @@
-//! Envelope of validity: what the model is good for. One check for every command, page and study.
+//! Envelope of validity of the model: the same checks for every command, page and study.
 //!
-//! Each [`Breach`] gives the number, what it means, and on which side the answer errs. Breaches that follow from the scene are
-//! found by [`of_scene`], those that need a run (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation, so
-//! it costs sweeps and searches nothing.
+//! Each [`Breach`] contains the value, its meaning, and the direction of the error. [`of_scene`] finds the breaches that follow from the
+//! scene, [`of_run`] also those that need a run (stop, spring, interface). Simulations do not evaluate these checks, so sweeps and searches
+//! have no extra cost.
 
 pub use crate::model::run::check::{Check, Direction};
 
@@ -17,46 +17,48 @@ use crate::model::units::{engineering, significant};
 use crate::model::variables;
 use Direction::{Conservative, Unconservative, Unknown};
 
-/// Up to this h/D plates are validated with dishing, from this on without; a tenth of it is "about".
+/// Plate thickness h/D up to which the model is validated with dishing, and above which without. The text says "about" within a tenth of
+/// it.
 const THICKNESS: f64 = 1.0;
 const ABOUT: f64 = 0.1;
-/// Below this h/D the diameter over which a dished plate gives way is no longer that of measurements.
+/// Minimum h/D at which the diameter over which a dished plate fails agrees with measurements.
 const SHEET: f64 = 0.3;
-/// Below this density, kg/m³, and this yield stress, Pa, a target is no metal.
+/// Minimum density, kg/m³, and yield stress, Pa, of a metal target.
 const METAL_KG_M3: f64 = 1500.0;
 const METAL_PA: f64 = 1e8;
-/// Plates of this yield strength, Pa, break a pointed core above some 500 m/s and not below 450, and let it through whole below this h/D.
+/// Yield strength of plates that break a pointed core above about 500 m/s and not below 450 m/s, Pa, and the h/D below which the core stays
+/// whole.
 const BREAKS_PA: f64 = 1.25e9;
 const BREAKS_BELOW: f64 = 0.7;
-/// Below this h/D a plate dishes under a rigid cylinder more than it shears.
+/// Minimum h/D at which a plate shears more than it dishes under a rigid cylinder.
 const CYLINDER_FROM: f64 = 0.6;
-/// Strength of a hardened steel projectile, Pa, and the part of it from which it may deform.
+/// Strength of a hardened steel projectile, Pa, and the fraction of it above which the projectile may deform.
 pub const PROJECTILE_STRENGTH_PA: f64 = 2e9;
 const RIGID_UP_TO: f64 = 0.5;
-/// The side of the plate's face over the projectile's diameter, at least.
+/// Minimum side of the plate's face, in projectile diameters.
 pub const FACE_LEAST: f64 = 3.0;
-/// Quasi-static to moderate impact velocities, m/s.
+/// Range of measured impact velocities, quasi-static to moderate, m/s.
 const VELOCITIES_M_S: (f64, f64) = (50.0, 1000.0);
-/// How far limits of a hard core on aluminium come out low at an angle, deg and percent (`validate`), and the angle up to which the
-/// model may be used.
+/// Angle, deg, and the underestimation of limits of a hard core on aluminium, percent (`validate`); the last angle is the maximum for the
+/// model.
 pub const OBLIQUE_LOW: [(f64, f64); 3] = [(15.0, 3.6), (30.0, 8.6), (45.0, 16.1)];
 const OBLIQUE_UP_TO: f64 = 20.0;
-/// Text on oblique limits of a nose that shears out a plug.
+/// Remark on oblique limits of a nose that shears out a plug.
 const PLUG_AT_AN_ANGLE: &str = "no limit of a nose that shears out a plug is measured at an angle";
-/// The end of a steel coil that moves faster than this, m/s, sends a wave through its wire that takes it beyond its strength.
+/// Maximum velocity of the end of a steel coil, m/s. A faster end sends a wave through the wire that exceeds its strength.
 const COIL_END_M_S: f64 = 20.0;
-/// The moving part of the springs' own mass over the plate's that may be omitted.
+/// Maximum ratio of the springs' moving mass to the plate mass for which it may be omitted.
 const SPRING_MASS_MOST: f64 = 0.1;
 
-/// A rule of the table that a scene or a run does not keep.
+/// Rule of the table that a scene or a run violates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Breach {
-    /// Check that is violated.
+    /// Violated check.
     pub check: Check,
-    /// On which side the answer errs.
+    /// Direction of the error.
     pub direction: Direction,
-    /// How far it goes: of two breaches of one fault the one farther from 0 is the worse. Its sign tells faults of one check apart: too
-    /// slow a shot, and the surge of a coil, are below 0.
+    /// Severity: the breach with the larger magnitude is worse. The sign distinguishes breaches of the same check: it is negative for a
+    /// shot that is too slow and for the surge of a coil.
     pub degree: f64,
     /// Clause with the number.
     value: String,
@@ -65,13 +67,13 @@ pub struct Breach {
 }
 
 impl Breach {
-    /// Whether it is the same fault as another.
+    /// Returns `true` if two breaches have the same check, direction and sign of the severity.
     pub fn is_same(&self, other: &Self) -> bool {
         let key = |it: &Self| (it.check, it.direction, it.degree.is_sign_negative());
         key(self) == key(other)
     }
 
-    /// Whether each of others is another fault, or goes less far.
+    /// Returns `true` if each of the others is a different or a less severe breach.
     pub fn is_new_to<'b>(&self, mut others: impl Iterator<Item = &'b Self>) -> bool {
         others.all(|other| !self.is_same(other) || self.degree.abs() > other.degree.abs())
     }
@@ -85,37 +87,37 @@ impl From<&Breach> for Warning {
     }
 }
 
-/// The yield stress of the plate, Pa: where the flow strength is given outright, half of it, as Virostek's closure has it.
+/// Returns the yield stress of the plate, Pa; half of a directly given flow strength, by Virostek's closure.
 pub fn equivalent_yield_pa(scene: &Scene) -> f64 {
     let is_given = scene.closure() == Closure::Given;
     if is_given { 0.5 * scene.flow_strength_pa() } else { scene.target.yield_pa }
 }
 
-/// Thickness over projectile diameter.
+/// Returns plate thickness over projectile diameter.
 pub fn thickness_ratio(scene: &Scene) -> f64 {
     0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m
 }
 
-/// Whether the plate dishes under a rigid cylinder more than it shears: the law of the plug is too low. What it stops is stopped; it says
-/// of no shot that it perforates, and with which velocity.
+/// Returns `true` if the plate dishes more than it shears under a rigid cylinder. The law of the plug is then too low: a stopped shot is
+/// stopped, but perforations and residual velocities are not reliable.
 pub fn is_law_low(scene: &Scene) -> bool {
     scene.contact.model == ContactModel::Hydrodynamic
         && scene.projectile.nose == Nose::Blunt
         && thickness_ratio(scene) < CYLINDER_FROM
 }
 
-/// Pressure on the nose at impact, S + c v², over the strength of hardened steel.
+/// Returns the pressure on the nose at impact, S + c v², over the strength of hardened steel.
 pub fn nose_pressure_ratio(scene: &Scene) -> f64 {
     let v = scene.closing_velocity_m_s();
     (scene.flow_strength_pa() + scene.drag_kg_m3() * v * v) / PROJECTILE_STRENGTH_PA
 }
 
-/// Side of the plate's face over the projectile's diameter; `None` where the plate's mass is not used.
+/// Returns the side of the plate's face in projectile diameters; `None` if the plate's mass is not used.
 pub fn face_ratio(scene: &Scene) -> Option<f64> {
     scene.is_sprung().then(|| 0.5 * scene.plate_face_m() / scene.projectile.tip_radius_m)
 }
 
-/// The breaches that follow from a scene, in the order of the table.
+/// Returns the breaches that follow from a scene, in the order of the table.
 pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     let mut found: Vec<Breach> = thickness(scene).into_iter().chain(velocity(scene)).collect();
     let mut add = |check, direction, degree, value: String, meaning: &str| {
@@ -200,7 +202,8 @@ fn velocity(scene: &Scene) -> Option<Breach> {
     Some(Breach { check: Check::Velocity, direction: Unknown, degree, value, meaning })
 }
 
-/// Whether the law in effect is measured with the nose, which is no hemisphere, however much it deforms.
+/// Returns `true` if the law in effect is validated by measurements with the nose. It must not be a hemisphere; its deformation does not
+/// matter.
 fn is_measured_nose(scene: &Scene) -> bool {
     let is_round = scene.projectile.nose == Nose::Hemispherical;
     !is_round && scene.closure() == Closure::Cylindrical
@@ -310,20 +313,20 @@ pub fn ricochet(scene: &Scene) -> Option<String> {
     })
 }
 
-/// Whether a scene has a rigid stop under a fused interface, which cannot carry a hit on it.
+/// Returns `true` if a scene has a rigid stop under a fused interface, which cannot carry an impact on it.
 fn has_fused_stop(scene: &Scene) -> bool {
     scene.interface.law == InterfaceLaw::Fused
         && Mechanism::from_scene(scene).rigid_stop().is_some()
 }
 
-/// How often a run hits a rigid stop under a fused interface; `None` for a scene without such a stop.
+/// Counts the impacts on a rigid stop under a fused interface; `None` for a scene without such a stop.
 pub fn fused_stop_hits(run: &Run) -> Option<usize> {
     let hits = || run.events.iter().filter(|event| event.kind == EventKind::StopHit).count();
     has_fused_stop(&run.scene).then(hits)
 }
 
-/// The breaches of a run, in the order of the table: of its scene, and of the load of stop, spring and interface. Of the plates of a
-/// stack, the worst of each.
+/// Returns the breaches of a run, in the order of the table: those of its scene, and those of the loads of stop, spring and interface. For
+/// a stack, returns each breach of the plate where it is worst.
 pub fn of_run(run: &Run) -> Vec<Breach> {
     let mut found = of_plate(run);
     for (name, plate) in behind(run) {
@@ -337,13 +340,13 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
     found
 }
 
-/// The plates behind the first one of a stack that were struck, with their names.
+/// Iterates over the struck plates behind the first of a stack, with their names.
 fn behind(run: &Run) -> impl Iterator<Item = (String, &Run)> {
     let names = run.stack.iter().flat_map(|stack| (1..).map(|plate| stack.name(plate)));
     names.zip(run.plates().skip(1))
 }
 
-/// The breaches of the run of one plate.
+/// Returns the breaches of the run of one plate.
 fn of_plate(run: &Run) -> Vec<Breach> {
     let mut found = of_scene(&run.scene);
     if fused_stop_hits(run) == Some(0) {
@@ -373,7 +376,7 @@ fn of_plate(run: &Run) -> Vec<Breach> {
     found
 }
 
-/// The springs' own mass where it would slow the plate down and is omitted: the part of it that moves over the plate's mass, with value and
+/// Returns the moving mass of the springs over the plate's mass, if it is omitted and would slow the plate noticeably, with value and
 /// meaning.
 fn spring_mass(run: &Run) -> Option<(f64, (String, String))> {
     let (scene, own) = (&run.scene, Inertia::from_scene(&run.scene));
@@ -398,20 +401,20 @@ fn spring_mass(run: &Run) -> Option<(f64, (String, String))> {
     (over_plate > SPRING_MASS_MOST).then_some((over_plate, (value, meaning)))
 }
 
-/// The row of the table that a warning of a run belongs to, and how far it goes.
+/// Returns the check that a warning of a run belongs to, with its severity.
 fn check_of(warning: &RunWarning) -> Option<(Check, f64)> {
     match warning {
         RunWarning::Limit(limit) => Some((Check::Spring, (limit.required_m / limit.limit_m).abs())),
         RunWarning::InterfacePush { ratio, .. } => Some((Check::Interface, *ratio)),
-        // The grip is an assumption: a push is the surer of the two.
+        // The grip is an assumption, so a push takes precedence over a pull.
         RunWarning::InterfacePull { .. } => Some((Check::Interface, 0.0)),
         RunWarning::InterfaceRebound { ratio } => Some((Check::Rebound, *ratio)),
         _ => None,
     }
 }
 
-/// Everything a careful reader of a run should know: first what is outside the model's validity, then what happened on the way,
-/// then values outside the range the thesis searched.
+/// Returns all warnings about a run: breaches of the model's validity, then events of the run, then values outside the ranges searched by
+/// the thesis.
 pub fn warnings(run: &Run) -> Vec<Warning> {
     let mut list: Vec<Warning> = of_run(run).iter().map(Warning::from).collect();
     list.extend(remarks(run));
@@ -420,7 +423,8 @@ pub fn warnings(run: &Run) -> Vec<Warning> {
     list
 }
 
-/// Warns of a peak contact force above the static collapse load of the clamped plate, pi Y h^2; `None` below it, and for a given strength.
+/// Warns of a peak contact force above the static collapse load of the clamped plate, pi Y h²; `None` below it, and for a given flow
+/// strength.
 fn bends(run: &Run) -> Option<Warning> {
     let Target { yield_pa, thickness_m, .. } = run.scene.target;
     let load_n = std::f64::consts::PI * yield_pa * thickness_m * thickness_m;
@@ -435,14 +439,14 @@ fn bends(run: &Run) -> Option<Warning> {
     Some(Warning::remark("plate bends", meaning))
 }
 
-/// Returns remarks on a run that are no breaches of validity.
+/// Returns remarks on a run that are not breaches of validity.
 pub fn remarks(run: &Run) -> Vec<Warning> {
     let is_remark = |warning: &&RunWarning| check_of(warning).is_none();
     let mut list: Vec<Warning> = run.warnings.iter().filter(is_remark).map(Warning::from).collect();
     list.extend(bends(run));
     for (name, plate) in behind(run) {
         list.extend(bends(plate).map(|warning| warning.at(&*name)));
-        // No plate of a stack has a baseline; what the first has, too, is said once.
+        // Plates of a stack have no baseline. Remarks that also apply to the first plate are not repeated.
         let is_own =
             |it: &&RunWarning| **it != RunWarning::NoBaseline && !run.warnings.contains(*it);
         let own = plate.warnings.iter().filter(is_remark).filter(is_own);
@@ -457,13 +461,14 @@ mod tests {
     use crate::model::scene::Layer;
     use crate::model::simulate::bare_run as run;
 
-    /// The breach of a rule in words; nothing where it is kept.
+    /// Returns the text of the breach of a check; empty if there is none.
     fn words(found: &[Breach], check: Check) -> String {
         let breach = found.iter().find(|breach| breach.check == check);
         breach.map(|it| Warning::from(it).to_string()).unwrap_or_default()
     }
 
-    /// A scene inside every rule, changed: a 12 mm plate under the 20 mm projectile of Borvik 2002, 10 D wide, without a spring.
+    /// Returns a scene without breaches, with changes: a 12 mm plate under the 20 mm projectile of Borvik 2002, 10 D wide, without a
+    /// spring.
     fn inside(changes: &str) -> Scene {
         let own = "m_p=0.197 R=0.01 v_i=200 h=0.012 rho=7850 face=0.2 k=0";
         variables::scene_with(&format!("{own} {changes}"))
@@ -521,12 +526,12 @@ mod tests {
         }
     }
 
-    /// gamma = 1 moves on at 50 m/s, half of the shot's 100 m/s; a heavy plate at 10 m/s.
+    /// A plate with gamma = 1 moves at 50 m/s after a shot of 100 m/s; a heavy plate at 10 m/s.
     #[test]
     fn a_run_warns_of_spring_stop_and_interface() {
         assert_eq!(words(&of_run(&run(&inside("k=1e6"))), Check::Spring), "");
         let of = |changes, check| words(&of_run(&run(&variables::scene_with(changes))), check);
-        // One coil that acts beside a beam is enough; one without force is none.
+        // A single coil that acts beside a beam is enough; a spring without force does not count.
         for (pairs, surges) in [
             ("k=1e5 combine=parallel k_2=0", true),
             ("spring=prbm-cantilever combine=parallel k_2=1e5", true),
@@ -534,14 +539,14 @@ mod tests {
         ] {
             assert_eq!(of(pairs, Check::Spring).contains("spring end moves at"), surges, "{pairs}");
         }
-        // A stop that is never reached is not a breach of a run, one that is hit is.
+        // A stop breaches validity only if the run reaches it.
         assert_eq!(of("x_stop=10", Check::Stop), "");
         assert_ne!(of("x_stop=0.001", Check::Stop), "");
         // Cocked by 0.5 m the interface must carry 25.1 kN and carries 8.7 kN.
         assert!(of("d=0.5", Check::Interface).contains("interface push is 2.8"));
     }
 
-    /// The second element, 30 mm thick on 1e6 N/m, has what it has alone under the shot that meets it, and names itself.
+    /// The second element, 30 mm thick on 1e6 N/m, has the breaches of a single plate under the same shot, and its name in the text.
     #[test]
     fn a_stack_has_the_breaches_of_all_its_plates() {
         let mut scene = inside("v_i=500 h_base=0.012");
@@ -564,8 +569,8 @@ mod tests {
         assert!(remarks(&stack).iter().all(|it| it.value != no_baseline.value));
     }
 
-    /// Half of the baseline's 147.5 J need 0.375 kg of wire (5.08 g/J), 12.7 plates, of which a third moves; of a given mass a third of
-    /// 8 g is 0.0904 of the plate's 29.5 g, of 10 g 0.113. An absorber of 19460 J/kg needs 3.8 g for the same energy.
+    /// Half of the baseline's 147.5 J needs 0.375 kg of wire (5.08 g/J), 12.7 plate masses, of which a third moves. For a given mass of 8 g
+    /// a third is 0.0904 of the plate's 29.5 g; for 10 g it is 0.113. An absorber of 19460 J/kg needs 3.8 g for the same energy.
     #[test]
     fn a_springs_own_mass_that_is_omitted_is_a_breach() {
         for (changes, texts) in [

@@ -1,4 +1,4 @@
-//! The projectile, and the plate as a target and as a body.
+//! Projectile, and plate as a target and as a body.
 
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::Scene;
@@ -8,7 +8,7 @@ use crate::model::variables::visible::{has_stop, is_listing, is_oblique, penetra
 use crate::model::variables::{Allowed, Kind, Number, Variable};
 
 parts! {
-    /// A rigid projectile.
+    /// Rigid projectile.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Projectile at (projectile) {
         pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass",
@@ -37,7 +37,7 @@ parts! {
             .source("off: the thesis; g = 9.80665 m/s^2");
     }
 
-    /// The plate as a target.
+    /// Plate as a target.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Target at (target) {
         pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", number(Length, Positive)
@@ -80,12 +80,12 @@ parts! {
             choice().is_seldom(true).used(penetrates).source("passage: the thesis");
     }
 
-    /// The plate as a body.
+    /// Plate as a body.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Plate at (plate) {
         pub mount: Mount = Mount::Sprung => "mount", "mount", "sprung: carried by spring and damper; rigid: it cannot move",
             choice().source("thesis section 9.3 (rigid: the baseline)");
-        /// Input that gives the plate its size.
+        /// Input that defines the plate's size.
         pub size: PlateSize = PlateSize::Ratio(1.0) => each(sizes);
         pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d",
             number(Length, NonNegative).thesis_range(Some((0.0, 0.5)))
@@ -97,18 +97,18 @@ parts! {
 }
 
 labelled_enum! {
-    /// The shape of a projectile's nose.
+    /// Shape of a projectile's nose.
     pub enum Nose: word {
         Hemispherical = "hemispherical",
-        /// An ogive or a cone.
+        /// Ogive or cone.
         Pointed = "pointed",
-        /// A rigid cylinder: it shears out a plug.
+        /// Rigid cylinder, which shears out a plug.
         Blunt = "blunt",
-        /// A fragment simulating projectile, a chisel of soft steel: it mushrooms and shears out a plug.
+        /// Fragment simulating projectile, a chisel of soft steel. It mushrooms and shears out a plug.
         Fragment = "fragment",
     }
 
-    /// The core of a projectile.
+    /// Core of a projectile.
     pub enum Core: word {
         Steel = "steel",
         TungstenCarbide = "tungsten-carbide",
@@ -116,39 +116,38 @@ labelled_enum! {
         Deformable = "deformable",
     }
 
-    /// Where the flow strength comes from.
+    /// Closure of the flow strength.
     pub enum Closure: word {
         /// Given strength `S_y`.
         Given = "given",
-        /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
+        /// Flow strength 2 Y, as in the thesis: yield strength times a constraint factor. Made for dishing.
         DoubleYield = "double-yield",
-        /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made
-        /// without dishing.
+        /// Pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made without dishing.
         Cavity = "cavity",
-        /// The pressure that opens a cylindrical cavity in an incompressible metal that hardens. Made without dishing.
+        /// Pressure that opens a cylindrical cavity in an incompressible hardening metal. Made without dishing.
         Cylindrical = "cylindrical",
-        /// Under a hemisphere 2 Y for plates thinner than the projectile's diameter, a spherical cavity from there on, and a cylindrical one
-        /// from 1.6 diameters on; cylindrical under another nose.
+        /// Choice by thickness. Under a hemisphere: 2 Y for plates thinner than the projectile's diameter, then a spherical cavity, and a
+        /// cylindrical cavity from 1.6 diameters. Under another nose: a cylindrical cavity.
         ByThickness = "by-thickness",
     }
 
-    /// When a plate counts as perforated.
+    /// Criterion of perforation.
     pub enum Criterion: word {
-        /// The nose is clear of the rear face: complete passage.
+        /// Nose clear of the rear face: complete passage.
         Passage = "passage",
-        /// The nose stands out of the rear face.
+        /// Nose protruding from the rear face.
         Protrusion = "protrusion",
     }
 
     /// Source of the drag coefficient under a closure that chooses it.
     pub enum DragSource: word {
-        /// The closure in effect and the nose have their own.
+        /// Drag coefficient of the closure in effect and the nose.
         Closure = "closure",
-        /// Given drag coefficient, as under every other closure.
+        /// Given drag coefficient; the only choice under other closures.
         Given = "given",
     }
 
-    /// How the plate is carried.
+    /// Mount of the plate.
     pub enum Mount: word {
         Sprung = "sprung",
         Rigid = "rigid",
@@ -167,19 +166,19 @@ impl Criterion {
     }
 }
 
-/// The input that defines the plate's size: the one that was set last.
+/// Input that defines the plate's size: the last one set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlateSize {
-    /// gamma.
+    /// Mass ratio gamma.
     Ratio(f64),
-    /// `m_2` > 0 kg.
+    /// Mass `m_2` > 0, kg.
     Mass(f64),
-    /// The side of its square face, > 0 m: the plate is a block of its material.
+    /// Side of the square face, > 0, m. The plate is a block of its material.
     Face(f64),
 }
 
 impl Projectile {
-    /// The mass of the sphere that its nose is half of, kg.
+    /// Returns the mass of the sphere of which the nose is half, kg.
     pub fn nose_sphere_kg(&self) -> f64 {
         let volume_m3 = 4.0 / 3.0 * std::f64::consts::PI * self.tip_radius_m.powi(3);
         volume_m3 * self.density_kg_m3
@@ -187,8 +186,8 @@ impl Projectile {
 }
 
 impl Target {
-    /// The closures that a closure by thickness chooses under a hemisphere, each with the thickness from which on it holds, m: by a plate
-    /// that dishes, one that is as thick as the projectile, and one that is thick enough for a hole of one radius.
+    /// Returns the closures of a choice by thickness under a hemisphere, each with its minimum thickness, m: for a plate that dishes, for
+    /// one as thick as the projectile, and for one thick enough for a cylindrical hole.
     pub fn by_thickness(tip_radius_m: f64) -> [(Closure, f64); 3] {
         let body_m = 2.0 * tip_radius_m;
         [
@@ -198,23 +197,23 @@ impl Target {
         ]
     }
 
-    /// The thickness nearest to the plate's at which a closure by thickness changes under a hemisphere, m.
+    /// Returns the thickness nearest to the plate's at which a closure by thickness changes under a hemisphere, m.
     pub fn nearest_change_m(&self, tip_radius_m: f64) -> f64 {
         let [_, (_, spherical_m), (_, cylindrical_m)] = Self::by_thickness(tip_radius_m);
         let between = (spherical_m * cylindrical_m).sqrt();
         if self.thickness_m < between { spherical_m } else { cylindrical_m }
     }
 
-    /// Makes the drag coefficient a given one, also where the closure would choose it.
+    /// Fixes the drag coefficient as given, even if the closure would choose it.
     pub fn give_drag(&mut self) {
         if self.closure.chooses_drag() {
             self.drag = DragSource::Given;
         }
     }
 
-    /// The target with the closure, the dishing and the drag in effect under a projectile. By thickness: under a hemisphere 2 Y with
-    /// dishing and Virostek's drag on a thin plate, a cavity with a hemisphere's drag on a thick one, spherical, then cylindrical; under
-    /// another nose a cylindrical cavity. Only a hemisphere dishes a plate; a given drag stays.
+    /// Returns the target with the closure, the dishing and the drag in effect under a projectile. By thickness under a hemisphere: 2 Y
+    /// with dishing and Virostek's drag on a thin plate; on a thick plate a spherical, then a cylindrical cavity with a hemisphere's drag.
+    /// Under another nose: a cylindrical cavity. Only a hemisphere dishes a plate. A given drag is unchanged.
     #[must_use]
     pub fn in_effect(self, projectile: &Projectile) -> Self {
         let nose = projectile.nose;
@@ -231,7 +230,7 @@ impl Target {
         }
     }
 
-    /// The target under a closure and a nose, with the dishing and, unless that is given, the drag that belong to them.
+    /// Returns the target under a closure and a nose, with their dishing and, unless given, their drag.
     #[must_use]
     pub fn under(self, closure: Closure, nose: Nose) -> Self {
         let dishing = closure == Closure::DoubleYield;
@@ -244,14 +243,15 @@ impl Target {
     }
 }
 
-/// Thickness over the projectile's diameter from which on a hemisphere opens a cylindrical cavity: soft hardening alloys were measured from
-/// there on.
+/// Minimum thickness, in projectile diameters, at which a hemisphere opens a cylindrical cavity; the lower end of the measurements on soft
+/// hardening alloys.
 const CYLINDRICAL_FROM: f64 = 1.6;
 /// Drag coefficient of Virostek's law.
 const VIROSTEK_DRAG: f64 = 0.5;
 
 impl Nose {
-    /// Drag coefficient of hole growth without dishing: an ogive of CRH 3 (N = 0.106 of Forrestal, `C_d` = 2 N), else a hemisphere's.
+    /// Returns the drag coefficient of hole growth without dishing: that of an ogive of CRH 3 (N = 0.106 of Forrestal, `C_d` = 2 N), else a
+    /// hemisphere's.
     pub fn drag_coefficient(self) -> f64 {
         if self == Self::Pointed { 0.212 } else { 1.0 }
     }
@@ -269,32 +269,32 @@ impl Closure {
     }
 }
 
-/// Whether the hardening of the plate counts: in a cylindrical cavity, and in the shear strength of a plug.
+/// Returns `true` if hardening of the plate has an effect: in a cylindrical cavity, and in the shear strength of a plug.
 fn hardens(scene: &Scene) -> bool {
     let Scene { projectile, target, .. } = scene;
     target.closure.chooses_drag() || projectile.nose.shears() && target.closure != Closure::Given
 }
 
-/// Whether dishing is free to choose: the closure may choose it, and only a hemisphere dishes a plate.
+/// Returns `true` if dishing can be chosen: the closure may determine it, and only a hemisphere dishes a plate.
 fn dishes(scene: &Scene) -> bool {
     !scene.target.closure.chooses_drag() && scene.projectile.nose == Nose::Hemispherical
 }
 
-/// Whether a weight has a way to do work on.
+/// Returns `true` if the weight can do work.
 fn falls(scene: &Scene) -> bool {
     scene.is_sprung() && !is_listing(scene)
 }
 
-/// Whether the plate's mass follows from its material and thickness.
+/// Returns `true` if the plate's mass follows from its material and thickness.
 fn gives_mass(scene: &Scene) -> bool {
     scene.is_sprung() && matches!(scene.plate.size, PlateSize::Face(_))
 }
 
 impl PlateSize {
-    /// The keys of the inputs that give the plate's size: a scene takes one.
+    /// Keys of the inputs that define the plate's size; a scene uses one of them.
     pub const KEYS: [&str; 3] = ["plate.mass_ratio", "plate.mass_kg", "plate.face_m"];
 
-    /// The key of the input that gives it.
+    /// Returns the key of the input.
     pub fn key(self) -> &'static str {
         Self::KEYS[match self {
             Self::Ratio(_) => 0,
@@ -304,12 +304,12 @@ impl PlateSize {
     }
 }
 
-/// Kind of the dishing switch; it shows the value in effect, because a closure by thickness chooses it.
+/// Kind of the dishing switch. Shows the value in effect, because a closure by thickness determines it.
 const DISHING: Kind = Kind::Switch {
     get: |scene| scene.target_in_effect().dishing,
     set: |scene, on| scene.target.dishing = on,
 };
-/// Kind of the switch of the projectile's weight.
+/// Kind of the switch for the projectile's weight.
 const WEIGHT: Kind = Kind::Switch {
     get: |scene| scene.projectile.weight,
     set: |scene, on| scene.projectile.weight = on,
@@ -323,7 +323,7 @@ const DRAG: Kind = Kind::Number(Number {
     ..Number::new(Dimension::Number, Allowed::NonNegative)
 });
 
-/// The inputs that define the plate's size.
+/// Returns the rows of the inputs that define the plate's size.
 fn sizes() -> Vec<Variable> {
     macro_rules! size {
         ($quantity:ident, $size:ident) => {

@@ -1,12 +1,11 @@
-//! The force between projectile and plate: which of the models of thesis section 8.2, what each of them needs, and the interface
-//! that holds both together afterwards.
+//! Force between projectile and plate: the models of thesis section 8.2, their parameters, and the interface after the first arrest.
 
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::ContactModel::{HalfSine, Lumped};
 use crate::model::variables::part::parts;
 
 parts! {
-    /// The interaction model and its parameters.
+    /// Contact model and its parameters.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Contact at (contact) {
         pub model: ContactModel = ContactModel::Hydrodynamic => "model", "contact model",
@@ -25,33 +24,33 @@ parts! {
         pub damping_n_s_m: f64 = 0.0 => "b_2", "interface damper", "damper of the lumped interface",
             number(Damping, NonNegative).own_name("interface_damping").is_log(true).when(|scene| scene.contact.model == Lumped)
             .source("thesis Figure 8.4; Wu has none");
-        /// The listing of Appendix A.
+        /// Listing of Appendix A.
         pub appendix: Listing = Listing::default();
     }
 
-    /// The listing of Appendix A. Scenes run it as printed; its errors can be put right one by one, to see what each is worth.
+    /// Listing of Appendix A. Scenes run it as printed. Each of its errors can be corrected separately, to find its effect.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Listing at (contact.appendix) {
         pub step_s: f64 = 1e-6 => "dt", "time step", "time step of the listing",
             number(Time, Positive).is_log(true).source("thesis Appendix A.1");
-        /// A.2: depth subtracts the plate's whole motion, not its last increment only.
+        /// A.2: depth subtracts the whole motion of the plate; printed, the last increment only.
         pub corrects_coupling: bool = false;
-        /// A.7 and A.9: the damper resists; printed, its force has no sign.
+        /// A.7 and A.9: the damper resists the motion; printed, its force has no sign.
         pub corrects_damper: bool = false;
-        /// A.2: contact ends where both velocities are equal, not below 0.01 m/s after a step.
+        /// A.2: contact ends at equal velocities; printed, after a step with a relative velocity below 0.01 m/s.
         pub corrects_stopping: bool = false;
-        /// A.5 and A.7: after a perforation the bodies part; printed, they stay joined.
+        /// A.5 and A.7: the bodies separate after a perforation; printed, they stay joined.
         pub corrects_afterwards: bool = false;
-        /// A.4 and A.8: Runge-Kutta for both bodies; printed, the force is held over the step.
+        /// A.4 and A.8: Runge-Kutta for both bodies; printed, the force is constant over the step.
         pub corrects_scheme: bool = false;
-        /// A.2 to A.4: the force is resolved on the normal; printed, all of it acts on both bodies.
+        /// A.2 to A.4: only the normal component of the force acts on the plate; printed, the whole force acts on both bodies.
         pub corrects_obliquity: bool = false;
-        /// A.2: the scripts' jumps are those that they are meant to be; printed, they are calls that come back, so that once the nose is
-        /// buried the next lines overwrite the area and divide by tan(theta) = 0.
+        /// A.2: the scripts' jumps work as intended. Printed, they are calls that return: once the nose is buried, the next lines overwrite
+        /// the area and divide by tan(theta) = 0.
         pub corrects_jumps: bool = true;
     }
 
-    /// The interface between projectile and plate after the first arrest.
+    /// Interface between projectile and plate after the first arrest.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Interface at (interface) {
         pub law: InterfaceLaw = InterfaceLaw::Fused => "interface", "interface law",
@@ -64,32 +63,32 @@ parts! {
 }
 
 labelled_enum! {
-    /// The interface between projectile and plate.
+    /// Law of the interface between projectile and plate.
     pub enum InterfaceLaw: word {
-        /// The thesis: once together, together for good.
+        /// Fused, as in the thesis: the bodies stay joined after the first arrest.
         Fused = "fused",
-        /// Rigid-plastic: pushes up to `A S_y`, pulls up to `g A S_y`.
+        /// Rigid-plastic: limit load `A S_y` in compression, `g A S_y` in tension.
         Plastic = "plastic",
     }
 
-    /// How the force between projectile and plate is modelled.
+    /// Model of the force between projectile and plate.
     pub enum ContactModel: word {
         /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
         Hydrodynamic = "hydrodynamic",
-        /// A prescribed half-sine force history, equation 8.9.
+        /// Prescribed half-sine force history, equation 8.9.
         HalfSine = "half-sine",
-        /// A perfectly inelastic collision at once, equation 8.11.
+        /// Instantaneous perfectly inelastic collision, equation 8.11.
         InitialVelocity = "initial-velocity",
-        /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
+        /// Spring with hysteresis and damper between projectile and plate, Figures 8.4 to 8.8.
         Lumped = "lumped",
-        /// The listing of Appendix A.
+        /// Listing of Appendix A.
         Appendix = "appendix",
     }
 }
 
 impl Listing {
-    /// As printed, but for depth, damper and obliquity: depth follows from the whole relative travel, the damper resists, and both
-    /// couplings have obliquity's cosine.
+    /// Creates the printed listing with corrected depth, damper and obliquity: depth follows from the whole relative travel, the damper
+    /// resists, and both couplings include the cosine of the obliquity.
     pub fn coupled(step_s: f64) -> Self {
         Self {
             step_s,

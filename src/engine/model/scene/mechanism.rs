@@ -11,24 +11,24 @@ parts! {
     /// Springs, damper and stop.
     #[derive(Clone, Debug, PartialEq)]
     pub struct Mechanism at (mechanism) {
-        /// The damper.
+        /// Damper.
         pub damper: PowerLaw = PowerLaw::NONE;
-        /// The first spring.
+        /// First spring.
         pub spring: Spring = Spring::default();
         pub combination: Combination = Combination::Alone => "combine", "second spring",
             "a second spring: none (alone), or a power law parallel to the first spring (parallel)",
             choice().is_seldom(true).source("thesis section 6.2.8; one spring in chapter 9");
-        /// Without effect where the first spring is alone.
+        /// Power law of the second spring; no effect if the first spring is alone.
         pub second: PowerLaw = PowerLaw { coefficient: 1e5, exponent: 1.0 };
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
             "energy per mass of the spring or absorber, which gives its least mass; without it only that of coils is known",
             optional(SpecificEnergy, Positive, "auto").aliases(&["energy_j"]).is_seldom(true).listed(|scene| scene.mechanism.energy_j_kg.is_some())
             .source("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
-        /// The stop.
+        /// Stop.
         pub stop: Stop = Stop::default();
     }
 
-    /// A mechanical stop, which acts on the plate.
+    /// Mechanical stop, which acts on the plate.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Stop at (mechanism.stop) {
         pub position_m: Option<f64> = None => "x_stop", "stop position", "where the plate meets a mechanical stop",
@@ -44,7 +44,7 @@ parts! {
             number(Damping, NonNegative).is_log(true).used(|scene| has_stop_of(scene, StopKind::Elastic));
     }
 
-    /// The material a spring is wound of: spring steel.
+    /// Wire of a coil spring: spring steel.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Wire at (mechanism.spring.wire) {
         pub density_kg_m3: f64 = 7850.0 => "rho_wire", "wire density", "density of the wire",
@@ -57,28 +57,28 @@ parts! {
 }
 
 labelled_enum! {
-    /// How the first and the second spring act together.
+    /// Arrangement of the first and the second spring.
     pub enum Combination: word {
         Alone = "alone",
         /// Springs in parallel: equal displacement, added forces.
         Parallel = "parallel",
     }
 
-    /// Whether a spring's own mass counts.
+    /// Treatment of the springs' own mass.
     pub enum OwnMass: word {
         Ignored = "ignored",
-        /// The part that moves with the plate adds to the plate's.
+        /// The moving fraction adds to the plate's mass.
         Counted = "counted",
     }
 
-    /// The kind of stop.
+    /// Kind of stop.
     pub enum StopKind: word {
         Rigid = "rigid",
         Elastic = "elastic",
     }
 }
 
-/// The damper's rows.
+/// Returns the rows of the damper.
 pub(in crate::model) fn damper_rows() -> Vec<Variable> {
     rows! { (mechanism.damper)
         coefficient: f64 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
@@ -88,7 +88,7 @@ pub(in crate::model) fn damper_rows() -> Vec<Variable> {
     }
 }
 
-/// The rows of the power law beside the first spring.
+/// Returns the rows of the second spring's power law.
 pub(in crate::model) fn second_rows() -> Vec<Variable> {
     rows! { (mechanism.second)
         coefficient: f64 => "k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)",
@@ -99,8 +99,7 @@ pub(in crate::model) fn second_rows() -> Vec<Variable> {
 }
 
 impl Wire {
-    /// Energy that the active coils of a helical spring store per mass at the wire's strength, whatever its stiffness:
-    /// tau²/(4 rho G), J/kg.
+    /// Returns the maximum stored energy of a helical spring over the mass of its active coils, tau²/(4 rho G), J/kg, for any stiffness.
     pub fn specific_energy_j_kg(&self) -> f64 {
         let Self { density_kg_m3, shear_modulus_pa, shear_strength_pa: tau } = self;
         tau * tau / (4.0 * density_kg_m3 * shear_modulus_pa)
@@ -108,36 +107,35 @@ impl Wire {
 }
 
 impl Mechanism {
-    /// The second spring where it acts, else none.
+    /// Returns the law of the second spring; `PowerLaw::NONE` if it does not act.
     pub fn second_law(&self) -> PowerLaw {
         self.second.only_if(self.combination == Combination::Parallel)
     }
 
-    /// Whether there is a spring at all.
+    /// Returns `true` if there is a spring.
     pub fn has_springs(&self) -> bool {
         !(self.spring.is_absent() && self.second_law().is_absent())
     }
 
-    /// Energy that the spring or absorber takes up per mass of its own, J/kg: given, or that of the wire;
-    /// `None` of other springs than coils.
+    /// Returns the energy capacity per mass of the spring or absorber, J/kg: given, or from the wire; `None` for springs other than coils.
     pub fn specific_energy_j_kg(&self) -> Option<f64> {
         self.energy_j_kg
             .or_else(|| self.spring.power_law().map(|_| self.spring.wire.specific_energy_j_kg()))
     }
 
-    /// Whether one of the springs that are there is wound of wire, as every power law is taken to be.
+    /// Returns `true` if a spring is a coil; every power law is assumed to be one.
     pub fn has_coil(&self) -> bool {
         let laws = [self.spring.power_law(), Some(self.second_law())];
         laws.into_iter().flatten().any(|law| !law.is_absent())
     }
 
-    /// The least mass of springs that store an energy, J, kg; `None` where that or their specific energy is not known.
+    /// Returns the minimum mass of springs for a stored energy, J, kg; `None` if that energy or the specific energy is unknown.
     pub fn min_spring_kg(&self, stored_j: Option<f64>) -> Option<f64> {
         let stored_j = stored_j?;
         if stored_j == 0.0 { Some(0.0) } else { Some(stored_j / self.specific_energy_j_kg()?) }
     }
 
-    /// Whether it is the thesis's: one power law `k |x|^n` that weighs nothing.
+    /// Returns `true` for the mechanism of the thesis: one massless power law `k |x|^n`.
     pub fn is_plain(&self) -> bool {
         let spring = &self.spring;
         self.combination == Combination::Alone

@@ -1,10 +1,9 @@
-//! The kinds of quantity and their units, by the definitions of these: the international yard and pound of 1959, and 9.80665 m/s^2.
+//! Dimensions and their units, by definition: the international yard and pound of 1959, and 9.80665 m/s².
 
-/// Defines the kinds. Each has the unit in which its values are stored and stand beside a bare number, that in which people read them
-/// on a screen, a text that would do, and the units it may be written in.
+/// Defines the dimensions. Each has a stored unit, also the unit of bare numbers, a unit for screens, an example, and the accepted units.
 macro_rules! dimensions {
     ($($(#[$doc:meta])* $kind:ident = $unit:literal, $shown:literal, $example:literal, $accepted:literal;)+) => {
-        /// The kind of a quantity: which units it can be written in.
+        /// Dimension of a quantity; determines its units.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Dimension {
             $(#[doc = concat!("`", $unit, "`")] $(#[$doc])* $kind,)+
@@ -19,7 +18,7 @@ dimensions! {
     Mass = "kg", "g", "29.5g", "kg, g, mg, t, gr, oz, lb";
     Length = "m", "mm", "25.4mm", "m, mm, cm, um, nm, km, in, ft, mil";
     Velocity = "m/s", "m/s", "100 m/s", "m/s, mm/s, km/s, km/h, ft/s, fps, kfps, mph";
-    /// (the SI unit is rad; angles are kept in degrees)
+    /// (the SI unit is rad; angles are stored in degrees)
     Angle = "deg", "deg", "30deg", "deg, rad, mrad";
     Density = "kg/m3", "kg/m3", "2710 kg/m3", "kg/m3, kg/m^3, g/cm3, g/cm^3, t/m3, t/m^3, lb/in3";
     Pressure = "Pa", "MPa", "151.6 MPa", "Pa, kPa, MPa, GPa, N/mm2, N/mm^2, bar, kbar, psi, ksi, Msi";
@@ -32,7 +31,7 @@ dimensions! {
     Damping = "N s/m", "N s/m", "2 kN s/m", "N s/m, Ns/m, kN s/m, kNs/m, MN s/m, MNs/m, lbf s/in";
     /// Dimension that depends on an exponent; the units are those of the linear spring.
     SpringCoefficient = "N/m^n", "kN/m^n", "7.5MN/m", "N/m, kN/m, MN/m, GN/m, N/mm, kN/mm, lbf/in";
-    /// As for the spring's.
+    /// Dimension that depends on an exponent; the units are those of the linear damper.
     DamperCoefficient = "N(s/m)^m", "N(s/m)^m", "2 kN s/m", "N s/m, Ns/m, kN s/m, kNs/m, MN s/m, MNs/m, lbf s/in";
     Twist = "rad/m", "rad/m", "50 rad/m", "rad/m, rad/mm, deg/m, deg/mm";
     Inertia = "kg m2", "kg m2", "5e-6 kg m2", "kg m2, kg m^2, kg cm2, kg mm2, g cm2, g mm2";
@@ -40,12 +39,12 @@ dimensions! {
 }
 
 impl Dimension {
-    /// The unit in which values of this kind are stored and shown beside a bare number.
+    /// Returns the stored unit, also the unit of bare numbers.
     pub fn unit(self) -> &'static str {
         ROWS[self as usize][0]
     }
 
-    /// The unit in which people read values of this kind on a screen.
+    /// Returns the unit on screens.
     pub fn shown_unit(self) -> &'static str {
         ROWS[self as usize][1]
     }
@@ -54,7 +53,7 @@ impl Dimension {
         ROWS[self as usize][2]
     }
 
-    /// The units this kind may be written in, beside the stored one with a prefix.
+    /// Returns the accepted units, in addition to the stored unit with a prefix.
     pub fn accepted(self) -> &'static str {
         ROWS[self as usize][3]
     }
@@ -62,13 +61,12 @@ impl Dimension {
 
 const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
 
-/// A pound-force is 4.4482216152605 N exactly: 0.45359237 kg times 9.80665 m/s^2. A given number of N, times [`LBF_OVER`].
+/// Pound-force, exactly 4.4482216152605 N (0.45359237 kg times 9.80665 m/s²), as this number over [`LBF_OVER`].
 const LBF: f64 = 44_482_216_152_605.0;
 const LBF_OVER: f64 = 1e13;
 
-/// The units that are neither stored ones nor another with a prefix: one of it is the first number, divided by the second, in the
-/// stored unit. Both are whole numbers where the definition allows it, so that `25.4mm` and `3in` are the floats nearest to 0.0254 and
-/// 0.0762.
+/// Units other than the stored ones with or without a prefix. The factor to the stored unit is the first number over the second. Both are
+/// whole numbers if the definition allows it, so that `25.4mm` and `3in` are the floats nearest to 0.0254 and 0.0762.
 pub(super) const UNITS: &[(&str, f64, f64)] = &[
     ("%", 1.0, 1e2),
     ("rad", DEG_PER_RAD, 1.0),
@@ -90,17 +88,17 @@ pub(super) const UNITS: &[(&str, f64, f64)] = &[
     ("lb/in3", 453_592_370_000.0, 16_387_064.0),
     ("N/mm2", 1e6, 1.0),
     ("bar", 1e5, 1.0),
-    // A square inch is 6.4516e-4 m^2.
+    // Square inch: 6.4516e-4 m².
     ("psi", LBF, 6.4516e9),
     ("ksi", LBF, 6.4516e6),
     ("Msi", LBF, 6.4516e3),
     ("min", 60.0, 1.0),
     ("lbf", LBF, LBF_OVER),
     ("lbf s", LBF, LBF_OVER),
-    // A foot is 0.3048 m.
+    // Foot: 0.3048 m.
     ("ft lbf", 3048e-4 * LBF, LBF_OVER),
     ("J/g", 1e3, 1.0),
-    // The linear cases of the coefficients.
+    // Coefficients in the linear case.
     ("N/m", 1.0, 1.0),
     ("N s/m", 1.0, 1.0),
     ("N/mm", 1e3, 1.0),
@@ -112,6 +110,6 @@ pub(super) const UNITS: &[(&str, f64, f64)] = &[
     ("g cm2", 1.0, 1e7),
     ("g mm2", 1.0, 1e9),
     ("g/cm2", 10.0, 1.0),
-    // A square foot is 0.09290304 m^2.
+    // Square foot: 0.09290304 m².
     ("lb/ft2", 45_359_237.0, 9_290_304.0),
 ];

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Why a variable cannot be set, or values make no sense together, with the cure.
+/// Reason why a variable cannot be set, or why values make no sense together, with the remedy.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum VariableError {
     /// No variable has this name.
@@ -10,10 +10,10 @@ pub enum VariableError {
     Unknown {
         /// Name as it was written.
         name: String,
-        /// The nearest names.
+        /// Nearest names, as a hint.
         cure: String,
     },
-    /// The text is no number of the variable's dimension.
+    /// The text is not a number of the variable's dimension.
     #[error("{symbol} ({key}): {problem}")]
     Unreadable {
         /// Symbol of the variable.
@@ -23,7 +23,7 @@ pub enum VariableError {
         /// Description of the error, with the remedy.
         problem: String,
     },
-    /// The word is none of the variable's choices.
+    /// The word is not a choice of the variable.
     #[error("{symbol} ({key}) = `{value}` is not one of {allowed}")]
     NotAChoice {
         /// Symbol of the variable.
@@ -32,7 +32,7 @@ pub enum VariableError {
         key: &'static str,
         /// Word as it was written.
         value: String,
-        /// The choices.
+        /// Allowed choices.
         allowed: String,
     },
     /// The number makes no physical sense by itself.
@@ -46,7 +46,7 @@ pub enum VariableError {
         value: String,
         /// Meaning of the variable.
         meaning: &'static str,
-        /// The rule.
+        /// Allowed values.
         allowed: String,
         /// Suggested replacement.
         cure: String,
@@ -54,9 +54,9 @@ pub enum VariableError {
     /// Values of several variables make no sense together, or not for a study.
     #[error("{problem}")]
     Together {
-        /// Keys of these variables.
+        /// Keys of the variables.
         keys: Vec<&'static str>,
-        /// Values, rule and cure.
+        /// Values, rule and remedy.
         problem: String,
     },
     /// An element of a stack makes no sense by itself.
@@ -64,15 +64,15 @@ pub enum VariableError {
     Element {
         /// Name of the element.
         place: String,
-        /// Why it makes no sense.
+        /// Reason why the element makes no sense.
         source: Box<Self>,
     },
-    /// Rows of a series that do not follow each other in time.
+    /// The row interval of a series is not positive.
     #[error(
         "every_s = {every_s} s is no distance of rows: it must be a number greater than 0 s; omit it for the solver's own steps"
     )]
     Rows {
-        /// Distance of the rows, s.
+        /// Row interval, s.
         every_s: String,
     },
 }
@@ -83,7 +83,7 @@ impl VariableError {
         Self::Together { keys: keys.to_vec(), problem }
     }
 
-    /// The keys of the variables that the error is about.
+    /// Returns the keys of the variables that the error concerns.
     pub fn keys(&self) -> Vec<&'static str> {
         match self {
             Self::Unreadable { key, .. }

@@ -1,12 +1,12 @@
-//! The names of variables: in words, as people write them, and the nearest where there is none.
+//! Names of variables: lookup, long names in user notation, and hints for unknown names.
 
 use super::{VARIABLES, Variable, VariableError};
 
-/// The symbols of the thesis, which are used most.
+/// Most frequently used symbols of the thesis.
 const DEFAULT: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
 
 impl Variable {
-    /// Returns the long name: `velocity`, `thickness`, `stop_position`. It is accepted wherever the symbol is.
+    /// Returns the long name: `velocity`, `thickness`, `stop_position`. Accepted as an alternative to the symbol.
     pub fn name(&self) -> String {
         if !self.own_name.is_empty() {
             return self.own_name.to_owned();
@@ -18,7 +18,7 @@ impl Variable {
     }
 }
 
-/// The variable with this symbol, alias, full key or name in words; else the nearest names.
+/// Finds the variable with this symbol, alias, full key or long name. The error names the nearest variables.
 pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
     let exact = VARIABLES.iter().find(|variable| {
         variable.symbol == name || variable.key == name || variable.aliases.contains(&name)
@@ -29,13 +29,13 @@ pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
         .ok_or_else(|| VariableError::Unknown { name: name.to_owned(), cure: nearest(name) })
 }
 
-/// A hint that names the variables meant by `name`, else the usual ones.
+/// Returns a hint with the variables nearest to `name`, else the most frequently used.
 pub fn nearest(name: &str) -> String {
     did_you_mean(name)
         .unwrap_or_else(|| format!("the usual ones are {DEFAULT}; `cmra explain` lists all"))
 }
 
-/// A hint that names the variables meant by `name`: by symbol, synonym and field before spelling. `None` when none is close.
+/// Returns a hint with the variables nearest to `name`: by symbol, synonym and field before spelling. `None` if none is close.
 pub fn did_you_mean(name: &str) -> Option<String> {
     let lower = name.to_lowercase();
     let meant = VARIABLES.iter().filter(|it| is_meant(it, &lower)).map(|it| (0, it.symbol));
@@ -57,20 +57,20 @@ pub fn did_you_mean(name: &str) -> Option<String> {
     close("", name, meant.collect()).or_else(|| close("", name, spelled))
 }
 
-/// The last part of the key.
+/// Returns the last part of the key.
 fn field(variable: &Variable) -> &'static str {
     variable.key.rsplit('.').next().unwrap_or(variable.key)
 }
 
-/// Whether a symbol begins with a name, `v_i` with `v`, or a synonym or the field of the full key has it as a word.
+/// Returns `true` if a symbol begins with the name (`v` for `v_i`), or if a synonym or the field of the key contains it as a word.
 fn is_meant(variable: &Variable, lower: &str) -> bool {
     let mut synonyms = variable.aliases.iter().copied().chain([field(variable)]);
     variable.symbol.to_lowercase().split('_').next() == Some(lower)
         || synonyms.any(|synonym| synonym.split(['_', '-']).any(|word| word == lower))
 }
 
-/// `did you mean ...?` with the nearest of some candidates, each with its distance from a name, and before them what they are; `None` when
-/// none is close. Of those as near as each other the first ones are named.
+/// Formats `did you mean ...?` with the nearest of the candidates, given with their distances, after the word for their kind; `None` if
+/// none is close. Equally near candidates keep their order.
 pub fn close(what: &str, name: &str, mut candidates: Vec<(usize, &str)>) -> Option<String> {
     const SHOWN_MAX: usize = 4;
     let limit = (name.chars().count() / 3).max(1);
@@ -104,7 +104,7 @@ mod tests {
         }
     }
 
-    /// Names as people misspell them, long ones and those of the screen among them.
+    /// Misspelled names, including long names and those of the screen.
     #[test]
     fn a_misspelled_name_leads_to_its_variable() {
         for (name, symbol) in [
@@ -126,7 +126,7 @@ mod tests {
                 "{name}: {hint}"
             );
         }
-        // Every name without its middle letter leads back to its variable.
+        // Every name is found without its middle letter.
         for variable in VARIABLES.iter().filter(|it| it.name().len() > 5) {
             let mut misspelled = variable.name();
             misspelled.remove(misspelled.len() / 2);
@@ -138,7 +138,7 @@ mod tests {
         }
     }
 
-    /// A name that two variables had would lead to the first.
+    /// A duplicate name would always lead to the first variable.
     #[test]
     fn each_name_leads_to_its_variable_and_ends_in_no_unit() {
         const UNITS: [&str; 11] = ["kg", "j", "m", "m2", "m3", "s", "n", "pa", "deg", "rad", "hz"];
@@ -159,7 +159,7 @@ mod tests {
             ("density", "rho"),
             ("mass_ratio", "gamma"),
             ("stop_position", "x_stop"),
-            // The name it had before.
+            // Previous name of the variable.
             ("energy_j", "e_spring"),
         ] {
             assert_eq!(find(name).map(|found| found.symbol), Ok(symbol), "{name}");

@@ -1,24 +1,23 @@
-//! Parts of a scene: structs that have beside each field its default value and its row of the table of variables.
+//! Parts of a scene: structs that declare the default value and the table row of each field.
 
 use super::{Allowed, Group, Kind, Number, Variable};
 use crate::model::scene::Scene;
 use crate::model::units::Dimension;
 
-/// Sources of many defaults.
+/// Source of many defaults.
 pub(in crate::model) const TABLE_9_1: &str = "thesis Table 9.1";
 pub(in crate::model) const TABLE_9_2: &str = "thesis Table 9.2 (range searched)";
-/// The source of most defaults of the springs.
+/// Source of most defaults of the springs.
 pub(in crate::model) const NO_VALUES: &str = "assumption: the thesis gives no values";
 
-/// Defines structs whose fields are variables, each with its place in a scene. A field has its type, its default value, its symbol, its
-/// label (a noun of at most sixteen letters), its meaning, the kind of its value, and its further attributes, which are
-/// fields of the row:
+/// Defines structs whose fields are variables of a scene. A field has a type, default value, symbol, label (a noun of at most sixteen
+/// letters), meaning, kind of value, and further attributes, which are fields of the row:
 ///
 /// ```text
 /// pub velocity_m_s: f64 = 100.0 => "v_i", "impact velocity", "impact velocity", number(Velocity, Positive).source(TABLE_9_1);
 /// ```
 ///
-/// A field without a row is a part by itself, or `each(function)` lists rows for it.
+/// A field without a row is a part of its own, or `each(function)` returns its rows.
 macro_rules! parts {
     ($(
         $(#[$meta:meta])*
@@ -47,7 +46,7 @@ macro_rules! parts {
         }
 
         impl $name {
-            /// The rows of its fields, in order.
+            /// Returns the rows of the fields, in order.
             pub(in crate::model) fn rows() -> Vec<$crate::model::variables::Variable> {
                 $crate::model::variables::part::rows! {
                     $place $($($field: $type => $($symbol, $label, $meaning,)?
@@ -58,7 +57,7 @@ macro_rules! parts {
     )+};
 }
 
-/// The rows of the fields of a part of a scene.
+/// Returns the rows of the fields of a part of a scene.
 macro_rules! rows {
     ($place:tt $($field:ident: $type:ty => $($symbol:literal, $label:literal, $meaning:literal,)?
         $kind:ident($($of_kind:tt)*) $(.$attribute:ident($value:expr))*;)*) => {{
@@ -69,7 +68,7 @@ macro_rules! rows {
     }};
 }
 
-/// The rows that belong to a field: one with a symbol, or those a function lists.
+/// Returns the rows of a field: one with a symbol, or those of a function.
 macro_rules! row {
     ($place:tt $field:ident: $type:ty, [], each($rows:expr)) => {
         $rows()
@@ -87,9 +86,9 @@ macro_rules! row {
     }};
 }
 
-/// The kind of a variable that is a field of a scene, with its access.
+/// Kind of a variable that is a field of a scene, with its access.
 macro_rules! kind {
-    // A required number.
+    // Required number.
     ($($field:ident).+: $type:ty, number($quantity:ident, $($allowed:tt)+)) => {{
         use $crate::model::variables::{Allowed, Kind, Number};
         Kind::Number(Number {
@@ -98,7 +97,7 @@ macro_rules! kind {
             ..Number::new($crate::model::units::Dimension::$quantity, Allowed::$($allowed)+)
         })
     }};
-    // An optional number, with the word for its absence.
+    // Optional number, with the keyword for a missing value.
     ($($field:ident).+: $type:ty, optional($quantity:ident, $allowed:ident, $absent:literal)) => {{
         use $crate::model::variables::{Allowed, Kind, Number};
         Kind::Number(Number {
@@ -108,7 +107,7 @@ macro_rules! kind {
             ..Number::new($crate::model::units::Dimension::$quantity, Allowed::$allowed)
         })
     }};
-    // One of a few words.
+    // Choice between keywords.
     ($($field:ident).+: $type:ty, choice()) => {
         $crate::model::variables::Kind::Choice {
             words: &<$type>::WORDS,
@@ -116,7 +115,7 @@ macro_rules! kind {
             set: |scene, index| scene.$($field).+ = <$type>::ALL[index],
         }
     };
-    // Anything else.
+    // Other kinds.
     ($($field:ident).+: $type:ty, is($kind:expr)) => {
         $kind
     };
@@ -124,7 +123,7 @@ macro_rules! kind {
 
 pub(in crate::model) use {kind, parts, row, rows};
 
-/// The rows of a part of a scene in a group of the editor: whether a list shows them at all, and whether they then have any effect.
+/// Assigns the rows of a part to a group of the editor, with the conditions under which they are listed and have an effect.
 pub(in crate::model) fn placed(
     group: Group,
     listed: fn(&Scene) -> bool,
@@ -138,7 +137,7 @@ pub(in crate::model) fn placed(
 }
 
 impl Variable {
-    /// A row without further attributes; the part of the scene it belongs to follows.
+    /// Creates a row without further attributes; its part of the scene is set later.
     pub(in crate::model) fn new(words: [&'static str; 4], kind: Kind) -> Self {
         let [key, symbol, label, meaning] = words;
         Self {
@@ -163,7 +162,7 @@ impl Variable {
 }
 
 impl Number {
-    /// A number that is required; its access follows.
+    /// Creates a required number; its access is set later.
     pub(in crate::model) const fn new(quantity: Dimension, allowed: Allowed) -> Self {
         Self { quantity, allowed, absent: None, get: |_| None, set: |_, _| {} }
     }

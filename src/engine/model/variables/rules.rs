@@ -1,4 +1,4 @@
-//! Rules between the values of a scene, and which studies it serves.
+//! Rules between the values of a scene, and requirements of studies.
 
 use super::VariableError;
 use super::visible::resists;
@@ -9,7 +9,7 @@ use crate::model::scene::{
 use crate::model::stack;
 use crate::model::units::{shortest, significant};
 
-/// Refuses values of the variables with these keys that make no sense together.
+/// Rejects values of the variables with these keys that make no sense together.
 fn require(
     holds: bool,
     keys: &[&'static str],
@@ -18,10 +18,10 @@ fn require(
     if holds { Ok(()) } else { Err(VariableError::together(keys, otherwise())) }
 }
 
-/// All rules between values, in the order in which they are reported.
+/// Checks all rules between values, in the order in which they are reported.
 pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     let Scene { projectile, plate, mechanism, contact, .. } = scene;
-    // Not `-d`, which is written as -0 where nothing is cocked.
+    // `-d` would be -0 without cocking.
     let start = 0.0 - plate.cocking_m;
     let position = mechanism.stop.position_m.unwrap_or(start);
     require(position >= start, &["mechanism.stop.position_m"], || {
@@ -71,7 +71,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
     check_stack(scene)
 }
 
-/// The closures for the flow strength contain the bulge each in its own way, never both, and cavity expansion needs an elastic body.
+/// Checks the closure. Each closure accounts for the bulge either by dishing or in the strength, never both; cavity expansion needs an
+/// elastic body.
 fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target_in_effect();
     let is_cavity = closure == Closure::Cavity;
@@ -99,7 +100,7 @@ fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     if shears { check_plug(scene) } else { Ok(()) }
 }
 
-/// A nose that shears out a plug needs the strength of the metal, a metal with a plug law, and a plate that is heavier than its plug.
+/// Checks that a nose that shears out a plug has the strength of the metal, a plug law, and a plate heavier than the plug.
 fn check_plug(scene: &Scene) -> Result<(), VariableError> {
     let nose = scene.projectile.nose.word();
     require(scene.closure() != Closure::Given, &["projectile.nose", "target.closure"], || {
@@ -150,7 +151,7 @@ fn check_plug(scene: &Scene) -> Result<(), VariableError> {
     )
 }
 
-/// The mechanism in a few words, for refusals.
+/// Describes the mechanism in a few words, for error messages.
 fn described(mechanism: &Mechanism) -> String {
     let kind = mechanism.spring.kind.word();
     let own = if mechanism.spring.own_mass == OwnMass::Counted { " with its own mass" } else { "" };
@@ -160,8 +161,7 @@ fn described(mechanism: &Mechanism) -> String {
     }
 }
 
-/// A stack has a base at the end, a whole number of elements, each of which makes sense by itself, and a model that knows what is
-/// left of a shot.
+/// Checks that a stack has a base plate, a whole number of elements that each make sense, and a contact model with a residual velocity.
 fn check_stack(scene: &Scene) -> Result<(), VariableError> {
     let Stack { elements, layers, base_thickness_m, .. } = &scene.stack;
     let model = scene.contact.model;
@@ -209,7 +209,7 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
     if !scene.projectile.nose.shears() {
         return Ok(());
     }
-    // Each plate behind a plug is struck by the plug too.
+    // Plates behind a plug are also struck by the plug.
     let plates = stack::plates(scene);
     let count = plates.len() - 1;
     for (number, plate) in plates.iter().enumerate().skip(1) {
@@ -222,7 +222,7 @@ fn element(place: String, source: VariableError) -> VariableError {
     VariableError::Element { place, source: Box::new(source) }
 }
 
-/// Refuses other models than the hydrodynamic one.
+/// Rejects contact models other than the hydrodynamic one.
 pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
     let model = scene.contact.model;
     require(model == ContactModel::Hydrodynamic, &["contact.model"], || {
@@ -234,7 +234,7 @@ pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
     })
 }
 
-/// Refuses other mechanisms than the thesis's own, whose variables are the axes of the stability map.
+/// Rejects mechanisms other than the thesis's, whose variables are the axes of the stability map.
 pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
     require(!scene.is_sprung() || scene.mechanism.is_plain(), &["mechanism.spring.kind"], || {
         format!(
@@ -245,7 +245,7 @@ pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
     })
 }
 
-/// Refuses a stack, for studies that look at one plate.
+/// Rejects a stack, for studies of a single plate.
 pub fn require_single(scene: &Scene) -> Result<(), VariableError> {
     let base_m = scene.stack.base_thickness_m;
     require(base_m.is_none(), &["stack.base_thickness_m"], || {

@@ -1,43 +1,43 @@
-//! When a list shows a variable, and when it has any effect: predicates on the scene, named by each part and in its rows, and read off
-//! them in words.
+//! Visibility and use of variables: predicates on the scene, referenced by parts and rows, and their description in words.
 
 use super::{Group, VARIABLES, Value, Variable, changed};
 use crate::model::scene::{Combination, ContactModel, PlateSize, Scene, StopKind};
 
-/// Whether a variable has any effect on this scene.
+/// Returns `true` if a variable has an effect on this scene.
 pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
     let Variable { when, used, part: [is_there, acts], .. } = variable;
     is_there(scene) && acts(scene) && when(scene) && used(scene)
 }
 
-/// Whether a list shows the variable at all.
+/// Returns `true` if lists show the variable.
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
     (variable.part[0])(scene) && (variable.when)(scene) && (variable.listed)(scene)
 }
 
-/// Whether the variable is one of those that each give the plate its size: of them the one that was set last counts.
+/// Returns `true` if the variable is one of the inputs that define the plate's size. The last one set is used.
 pub fn sizes_plate(variable: &Variable) -> bool {
     PlateSize::KEYS.contains(&variable.key)
 }
 
-/// Whether the variable also gives a mass or an area that the motion of the plate may not need.
+/// Returns `true` if the variable also determines a mass or an area that the motion of the plate may not need.
 pub fn gives_mass(variable: &Variable) -> bool {
     sizes_plate(variable) || matches!(variable.key, "target.thickness_m" | "target.density_kg_m3")
 }
 
-/// Whether two variables cannot be chosen each for itself.
+/// Returns `true` if two variables cannot be chosen independently.
 pub fn exclude_each_other(one: &Variable, other: &Variable) -> bool {
     one.key == other.key || (sizes_plate(one) && sizes_plate(other))
 }
 
-/// Whether the variable would give the plate another size than the scene's own input does: an axis over it would win without a word.
+/// Returns `true` if the variable would replace the scene's own input for the plate's size. An axis over it would override that input
+/// silently.
 pub fn overrules_size(variable: &Variable, scene: &Scene) -> bool {
     let own = scene.plate.size.key();
     sizes_plate(variable) && own != PlateSize::KEYS[0] && own != variable.key
 }
 
-/// Whether the workbench's lists offer the variable: what is listed and what can give the plate its size, less the values of a
-/// stop that is not there or of its other kind. Files keep those, for the stop may come back.
+/// Returns `true` if the workbench's lists offer the variable: listed variables and those of the plate's size, except the values of a
+/// missing stop or of another kind of stop. Files keep these values for a later stop.
 pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
     let places_stop = variable.key == "mechanism.stop.position_m";
     let of_stop = variable.group == Group::Stop && !places_stop;
@@ -45,7 +45,7 @@ pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
     is_there && (!of_stop || is_used(variable, scene))
 }
 
-/// Whether a second spring acts.
+/// Returns `true` if a second spring acts.
 pub(in crate::model) fn has_second(scene: &Scene) -> bool {
     scene.is_sprung() && scene.mechanism.combination == Combination::Parallel
 }
@@ -66,12 +66,12 @@ pub(in crate::model) fn is_listing(scene: &Scene) -> bool {
     scene.contact.model == ContactModel::Appendix
 }
 
-/// Whether the projectile penetrates: how deep depends on the plate's thickness.
+/// Returns `true` if the projectile penetrates. The depth then depends on the plate's thickness.
 pub(in crate::model) fn penetrates(scene: &Scene) -> bool {
     scene.contact.model != ContactModel::InitialVelocity
 }
 
-/// Whether the plate's resistance matters: to the other models only where it fills in what was left open.
+/// Returns `true` if the plate's resistance has an effect. Other contact models use it only for missing values.
 pub(in crate::model) fn resists(scene: &Scene) -> bool {
     match scene.contact.model {
         ContactModel::HalfSine => scene.contact.duration_s.is_none(),
@@ -93,7 +93,7 @@ pub(in crate::model) fn has_stop_of(scene: &Scene, kind: StopKind) -> bool {
     has_stop(scene) && scene.mechanism.stop.kind == kind
 }
 
-/// Changes that bring variables into use or out of it, in words and as they are set.
+/// Changes that make variables take effect or lose it: description and `--set` text.
 const CHANGES: [(&str, &str); 10] = [
     ("b > 0", "b=1"),
     ("theta > 0", "theta=30deg"),
@@ -107,7 +107,7 @@ const CHANGES: [(&str, &str); 10] = [
     ("weight = on", "weight=on"),
 ];
 
-/// The scenes that have another word of one choice, each with that in words.
+/// Returns the scenes that differ in the keyword of one choice, each with its description.
 fn choices(base: &Scene) -> Vec<(String, Scene)> {
     let mut list = Vec::new();
     for variable in VARIABLES.iter().filter(|variable| is_used(variable, base)) {
@@ -122,7 +122,7 @@ fn choices(base: &Scene) -> Vec<(String, Scene)> {
     list
 }
 
-/// Whether a scene uses a variable once it has a value.
+/// Returns `true` if a scene uses a variable once it has a value.
 fn acts(variable: &Variable, scene: &Scene) -> bool {
     let mut scene = scene.clone();
     if let (Some(number), Value::Absent) = (variable.number(), variable.value(&scene)) {
@@ -131,7 +131,7 @@ fn acts(variable: &Variable, scene: &Scene) -> bool {
     is_used(variable, &scene) && is_listed(variable, &scene)
 }
 
-/// Where scenes use a variable that this one does not, in words: read off [`is_used`] by changing the scene in one place, or in two.
+/// Describes the scenes that use a variable that this scene does not. Found with [`is_used`] by one or two changes of the scene.
 pub fn used_where(variable: &Variable, scene: &Scene) -> Option<String> {
     if acts(variable, scene) {
         return None;
@@ -161,7 +161,8 @@ mod tests {
     use super::*;
     use crate::model::variables::{find, scene_with};
 
-    /// Depth is travel times h/(h + 2 R) whatever gives the force; the start at -d is as far from a stop as from a spring's zero.
+    /// The depth is the travel times h/(h + 2 R) for every force. A stop and a spring's neutral position are equally far from the start at
+    /// -d.
     #[test]
     fn what_a_scene_uses() {
         for (scene, name, used) in [
