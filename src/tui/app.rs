@@ -1,6 +1,6 @@
-//! The state of the workbench: plain data, no terminal type, no I/O, no clock.
+//! State of the workbench: plain data, without terminal types, I/O or a clock.
 //!
-//! [`crate::tui::update`] changes it, [`crate::tui::view`] draws it. What the session file keeps is taken from here.
+//! [`crate::tui::update`] changes it, [`crate::tui::view`] draws it. The session file stores a part of it.
 
 pub(crate) mod dialog;
 pub(crate) mod edit;
@@ -32,10 +32,10 @@ use crate::tui::widgets::input::TextField;
 use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 
-/// Messages kept of a session.
+/// Maximum number of stored messages.
 const LOG_MAX: usize = 2000;
 
-/// How the workbench is set, which the session keeps.
+/// Settings of the workbench, stored in the session.
 #[derive(Clone, Debug, Default)]
 pub struct Settings {
     pub theme: Theme,
@@ -45,28 +45,28 @@ pub struct Settings {
 /// State of the files on disk.
 #[derive(Clone, Debug, Default)]
 pub struct Files {
-    /// Where relative paths start.
+    /// Directory for relative paths.
     pub directory: PathBuf,
-    /// The presets that can be loaded.
+    /// Available presets.
     pub presets: Vec<PresetEntry>,
-    /// Files opened or saved lately, newest first.
+    /// Recently opened or saved files, newest first.
     pub recent: Vec<PathBuf>,
-    /// The session could not be saved the last time.
+    /// Whether the last attempt to save the session failed.
     pub session_lost: bool,
 }
 
-/// Input field that has the keyboard, if no dialog is open.
+/// Input field with the keyboard focus, if no dialog is open.
 #[derive(Clone, Debug)]
 pub enum ActiveInput {
-    /// The field of a row of the pane that has the keys.
+    /// Field of a row of the focused pane.
     Field(TextField),
-    /// The field of `/`.
+    /// Search field (`/`).
     Find(TextField),
-    /// The place of the crosshair.
+    /// Field for the crosshair position.
     Place(TextField),
 }
 
-/// The whole state.
+/// Complete state.
 #[derive(Debug, Default)]
 pub struct App {
     /// Columns and rows of the terminal.
@@ -76,34 +76,34 @@ pub struct App {
     pub typing: Option<ActiveInput>,
     pub keymap: Keymap,
     pub settings: Settings,
-    /// This is the first start: a line says how to begin, until the first edit.
+    /// Whether this is the first start. A line explains how to begin, until the first edit.
     pub first_run: bool,
     pub scene: Arc<Scene>,
-    /// An edit has changed the scene since the last message.
+    /// Whether an edit has changed the scene since the last message.
     pub(crate) is_edited: bool,
-    /// The preset it came from.
+    /// Preset from which the scene was loaded.
     pub base: ReferencePreset,
-    /// Edits that can be undone.
+    /// Undo history.
     pub history: History,
-    /// The result on the screen, if any yet.
+    /// Displayed result; `None` before the first one.
     pub shown: Option<DisplayedRun>,
-    /// The run before the latest edit.
+    /// Run before the latest edit.
     pub before: Option<Arc<Run>>,
-    /// The tasks of the worker.
+    /// Tasks of the worker.
     pub jobs: Jobs,
     /// Pinned runs, in the order of their letters.
     pub pins: Vec<Pin>,
     pub pages: States,
     pub(crate) dialog: Option<Box<dyn Dialog>>,
-    /// The newest message, until the next key.
+    /// Newest message, until the next key.
     pub notice: Option<Notice>,
     pub files: Files,
-    /// The pending requests to the outside.
+    /// Pending effects.
     pub(crate) effects: Vec<Effect>,
 }
 
 impl App {
-    /// A workbench on a scene, which is also what edits are compared with.
+    /// Creates a workbench on a preset, with which edits are compared.
     pub fn new(base: ReferencePreset, theme: Theme, directory: PathBuf) -> Self {
         Self {
             size: (80, 24),
@@ -116,37 +116,37 @@ impl App {
         }
     }
 
-    /// The open field of a row.
+    /// Returns the open field of a row.
     pub fn field(&self) -> Option<&TextField> {
         if let Some(ActiveInput::Field(field)) = &self.typing { Some(field) } else { None }
     }
 
-    /// The open field of `/`.
+    /// Returns the open search field.
     pub fn find(&self) -> Option<&TextField> {
         if let Some(ActiveInput::Find(text)) = &self.typing { Some(text) } else { None }
     }
 
-    /// The open field of a place.
+    /// Returns the open field for the crosshair position.
     pub fn place(&self) -> Option<&TextField> {
         if let Some(ActiveInput::Place(text)) = &self.typing { Some(text) } else { None }
     }
 
-    /// Whether a dialog lies on top.
+    /// Returns `true` if a dialog is open.
     pub fn has_dialog(&self) -> bool {
         self.dialog.is_some()
     }
 
-    /// Whether what the tab exports and copies are runs, not a table of its own.
+    /// Returns `true` if the tab exports and copies runs; `false` if it has a table of its own.
     pub(crate) fn shows_runs(&self) -> bool {
         matches!(self.tab, Tab::Run | Tab::Log)
     }
 
-    /// The first part of every name proposed for a file about a scene: the preset's name without folders and ending.
+    /// Returns the first part of proposed file names: the preset's name without folders and extension.
     pub(crate) fn base_stem(&self) -> &str {
         self.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml")
     }
 
-    /// All that edits change, as it is now.
+    /// Returns the undoable part of the state.
     pub(crate) fn snapshot(&self) -> Snapshot {
         Snapshot {
             scene: Arc::clone(&self.scene),
@@ -158,7 +158,7 @@ impl App {
         }
     }
 
-    /// Whether the pane that has the keys fills the body.
+    /// Returns `true` if the focused pane fills the body.
     pub fn is_full(&self) -> bool {
         self.tab == Tab::Run && self.pages.run.is_full
     }
@@ -167,35 +167,35 @@ impl App {
         self.focus[self.tab.index()]
     }
 
-    /// Give a pane the keys; its tab is shown.
+    /// Focuses a pane and shows its tab.
     pub fn focus_on(&mut self, pane: Pane) {
         self.tab = pane.tab;
         self.focus[self.tab.index()] = pane;
     }
 
-    /// Whether a pane has the keys: its tab is shown and no dialog lies on top.
+    /// Returns `true` if a pane has the focus: its tab is shown and no dialog is open.
     pub fn has_focus(&self, pane: Pane) -> bool {
         self.pane() == pane && self.dialog.is_none()
     }
 
-    /// Whether the scene differs from the preset it came from.
+    /// Returns `true` if the scene differs from the preset from which it was loaded.
     pub fn is_modified(&self) -> bool {
         *self.scene != *self.base.scene
     }
 
-    /// Whether the result on the screen belongs to an older scene.
+    /// Returns `true` if the displayed result belongs to an older scene.
     pub fn is_stale(&self) -> bool {
         self.shown.as_ref().is_some_and(|shown| *shown.run.scene != *self.scene)
     }
 
-    /// Whether to say so: not in the first moments after an edit, in which most runs land.
+    /// Returns `true` if the result is marked as old: not immediately after an edit, because most runs end in that time.
     pub fn shows_old(&self) -> bool {
         self.is_stale() && (self.jobs.overdue || self.jobs.current.is_none())
     }
 
-    /// Show a message and keep it for the Log tab.
+    /// Shows a message and stores it for the Log tab.
     pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
-        // A file may have several errors, a line each.
+        // The error of a file may have several lines.
         let text = self.keymap.shown(&text.into()).replace('\n', "; ");
         let text = clean::line(&text).into_owned();
         let notice = Notice { severity, text };
@@ -203,7 +203,7 @@ impl App {
         self.notice = Some(notice);
     }
 
-    /// Note a file that was opened or saved; a relative path is one of the directory.
+    /// Records an opened or saved file; relative paths start in the directory.
     pub(crate) fn note_recent(&mut self, path: &Path) {
         session::note_recent(&mut self.files.recent, self.files.directory.join(path));
     }
@@ -212,12 +212,12 @@ impl App {
         self.effects.push(effect);
     }
 
-    /// Ask for the presets there are, the files opened lately among them.
+    /// Requests the list of presets, including recent files.
     pub(crate) fn list_presets(&mut self) {
         self.request(Effect::Files(FileTask::ListPresets(self.files.recent.clone())));
     }
 
-    /// Say something good to know.
+    /// Shows a message of severity `Note`.
     pub(crate) fn report_progress(&mut self, text: impl Into<String>) {
         self.say(Severity::Note, text);
     }
@@ -226,7 +226,7 @@ impl App {
         self.say(Severity::Error, why);
     }
 
-    /// Keep a message for the Log tab; of very many the oldest go.
+    /// Stores a message for the Log tab; drops the oldest beyond the maximum.
     pub(crate) fn keep(&mut self, notice: Notice) {
         let messages = &mut self.pages.log.messages;
         if messages.len() >= LOG_MAX {
@@ -235,21 +235,21 @@ impl App {
         messages.push(notice);
     }
 
-    /// The run before the latest edit, while the result of the edit is on the screen and differs from it.
+    /// Returns the run before the latest edit, while the result of the edit is displayed and differs from it.
     pub fn run_before(&self) -> Option<&Run> {
         let before = self.before.as_deref()?;
         let is_new = |shown: &DisplayedRun| *shown.run.scene != *before.scene && !self.is_stale();
         self.shown.as_ref().is_some_and(is_new).then_some(before)
     }
 
-    /// Keep the run of a scene that is about to be edited, if it is complete.
+    /// Stores the run of a scene before an edit, if it is complete.
     pub(crate) fn keep_before(&mut self, scene: &Scene) {
         let of_scene =
             |shown: &&DisplayedRun| shown.elapsed.is_some() && *shown.run.scene == *scene;
         self.before = self.shown.as_ref().filter(of_scene).map(|shown| Arc::clone(&shown.run));
     }
 
-    /// The runs to draw, the current one last so that it lies on top.
+    /// Returns the runs to draw, the current one last so that it is on top.
     pub fn visible_runs(&self) -> Vec<RunView<'_>> {
         let pins = (1..).zip(&self.pins).filter_map(|(index, pin)| {
             let run = pin.run.as_deref()?;
@@ -261,7 +261,7 @@ impl App {
         pins.chain(now).collect()
     }
 
-    /// The variables that differ between two scenes, by index into the table.
+    /// Returns the variables that differ between two scenes, by index into the table.
     pub fn differing(a: &Scene, b: &Scene) -> Vec<usize> {
         cmra_engine::model::variables::VARIABLES
             .iter()
@@ -272,7 +272,7 @@ impl App {
     }
 }
 
-/// How long the computation took, in a few characters: `0.21 ms`.
+/// Formats a computation time in a few characters: `0.21 ms`.
 pub fn show_duration(took: Duration) -> String {
     cmra_engine::model::units::engineering(took.as_secs_f64(), "s", 2)
 }

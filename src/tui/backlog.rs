@@ -1,4 +1,4 @@
-//! Messages that wait for the loop: what a person wants now comes before what was typed earlier.
+//! Queue of messages for the event loop: gives priority to the latest requests of the user.
 
 use std::collections::VecDeque;
 
@@ -7,14 +7,14 @@ use crossterm::event::KeyEvent;
 use super::event_loop::LoopEvent;
 use crate::tui::message::Message;
 
-/// Most equal keys that wait in a row: about 50 ms of work. A held key that has more of them waiting would go on after its release.
+/// Maximum number of equal consecutive keys in the queue: about 50 ms of work. More would continue to act after the release of a held key.
 const REPEATS_MAX: usize = 1000;
 
-/// Waiting messages from which on the key that cancels overtakes: about 15 ms of work. Fewer are dealt with in their order.
+/// Queue length from which the cancel key takes priority: about 15 ms of work. Shorter queues are handled in order.
 const OVERTAKEN_MIN: usize = 256;
 
-/// Shortens the queue: a reason to leave comes first, the key that cancels discards what was typed before it, and of equal keys in a row
-/// a limited number stays.
+/// Shortens the queue. A request to quit comes first, the cancel key discards the keys before it, and the number of equal consecutive keys
+/// is limited.
 pub(super) fn shorten(queue: &mut VecDeque<LoopEvent>, cancels: impl Fn(KeyEvent) -> bool) {
     if queue.len() <= OVERTAKEN_MIN {
         return;
@@ -69,7 +69,7 @@ mod tests {
         LoopEvent::Message(Message::Key(CANCEL))
     }
 
-    /// The queue as text: keys, `^` for the key that cancels, `$` for the end, `.` for anything else.
+    /// Formats the queue as text: keys, `^` for the cancel key, `$` for the end, `.` for other messages.
     fn shortened(queue: Vec<LoopEvent>) -> String {
         let mut queue = VecDeque::from(queue);
         shorten(&mut queue, |key| key == CANCEL);
@@ -89,7 +89,7 @@ mod tests {
         queue.push(cancel());
         queue.extend(typed("xy"));
         assert_eq!(shortened(queue), ".^xy");
-        // A few keys are dealt with in their order.
+        // A few keys are handled in order.
         let mut few = typed("2l");
         few.push(cancel());
         assert_eq!(shortened(few), "2l^");
@@ -101,7 +101,7 @@ mod tests {
         queue.push(LoopEvent::Arrived);
         queue.extend(typed("lq"));
         assert_eq!(shortened(queue), "l".repeat(REPEATS_MAX) + ".q");
-        // Different keys all count.
+        // All different keys count.
         let different = "jk".repeat(2000);
         assert_eq!(shortened(typed(&different)), different);
     }

@@ -35,12 +35,12 @@ pub use cmra_studies::report::chart::{
 };
 pub use layout::Layout;
 
-/// Drawing in a terminal.
+/// Drawing of charts and maps in a terminal.
 pub trait Draw: Svg {
-    /// Draws it into an area, and tells where everything lies.
+    /// Draws into an area; returns the layout.
     fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout;
 
-    /// Draws as lines of text without trailing blanks, as `--plain` prints them.
+    /// Draws as lines of text without trailing blanks, as printed by `--plain`.
     fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
@@ -66,7 +66,7 @@ impl Draw for Chart<'_> {
     }
 }
 
-/// How a curve stands among others: one of another scene, the selected one, or any other.
+/// Returns the emphasis of a curve: of an old scene, selected, or normal.
 pub(crate) fn emphasis(is_old: bool, is_selected: bool) -> Emphasis {
     match (is_old, is_selected) {
         (true, _) => Emphasis::Stale,
@@ -75,12 +75,12 @@ pub(crate) fn emphasis(is_old: bool, is_selected: bool) -> Emphasis {
     }
 }
 
-/// Where everything of a chart would lie in an area, without drawing.
+/// Returns the layout of a chart in an area, without drawing.
 pub fn layout_of(chart: &Chart<'_>, area: Rect) -> Layout {
     plan(chart, area, Theme::PLAIN).layout
 }
 
-/// Makes the plots of charts stacked on each other begin in one column: gives all the widest gutter.
+/// Aligns the plots of stacked charts by giving all the widest gutter.
 pub fn align_gutters(charts: &mut [Chart<'_>], areas: &[Rect]) {
     let gutters = charts.iter().zip(areas).map(|(chart, area)| layout_of(chart, *area).gutter);
     let widest = gutters.max().unwrap_or(0);
@@ -89,14 +89,14 @@ pub fn align_gutters(charts: &mut [Chart<'_>], areas: &[Rect]) {
     }
 }
 
-/// A buffer as lines of text, blanks at their ends removed.
+/// Converts a buffer to lines of text without trailing blanks.
 pub fn buffer_lines(buffer: &Buffer) -> Vec<String> {
     let width = usize::from(buffer.area.width.max(1));
     let line = |row: &[ratatui::buffer::Cell]| {
         let mut text = String::with_capacity(width);
         let mut hidden = 0;
         for cell in row {
-            // A wide character hides the cell after it.
+            // A wide character hides the following cell.
             if hidden > 0 {
                 hidden -= 1;
                 continue;

@@ -1,7 +1,7 @@
-//! The I/O thread: carries out the effects that touch files, on a thread of its own, so that a slow disk never holds up a key.
+//! I/O thread: performs file effects on a separate thread, so that a slow disk does not delay keys.
 //!
-//! Tasks are done in order. The session is kept soon after it changed (changes in quick succession are written once), and at once
-//! when the loop leaves. Knows nothing of the terminal.
+//! Tasks run in order. The session is saved shortly after a change (changes in quick succession are saved once), and immediately when the
+//! loop ends. Does not depend on the terminal.
 
 use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe};
@@ -28,30 +28,30 @@ use crate::tui::message::{Content, EffectReport, ExportOutcome, FileTask as Task
 use crate::tui::preset::PresetEntry;
 use cmra_engine::model::scene::Scene;
 
-/// How long a changed session may stay unsaved.
+/// Maximum delay before a changed session is saved.
 pub(super) const SESSION_DELAY: Duration = Duration::from_secs(1);
 
-/// How long another thread may take to save the session where the program has to end, and how often that is looked at.
+/// Maximum time for another thread to save the session when the program has to end, and the polling interval.
 pub(super) const SAVING: Duration = Duration::from_millis(500);
 const SAVING_CHECK: Duration = Duration::from_millis(5);
 
-/// Whether the session was saved: where that of another workbench was backed up for it, or why it was not, in words.
+/// Result of saving the session: the backup of another workbench's session if there was one, or the reason for a failure.
 type SaveResult = Result<Option<PathBuf>, String>;
 
 pub(super) enum Request {
     Task(Task),
-    /// The session has changed: it lies in [`Unsaved`].
+    /// The session in [`Unsaved`] has changed.
     SessionChanged,
-    /// Save the session now and say so.
+    /// Save the session now and confirm.
     Finish(Sender<SaveResult>),
 }
 
-/// The session that has yet to be saved. The caller saves it.
+/// Session that is not yet saved.
 #[derive(Clone, Default)]
 pub(super) struct Unsaved {
     session: Arc<Mutex<Option<Box<Session>>>>,
     known: Arc<Mutex<SessionFingerprint>>,
-    /// Whether the program has to end soon: nothing waits for another workbench then.
+    /// Whether the program has to end soon, without waiting for another workbench.
     is_urgent: Arc<AtomicBool>,
     paths: Option<Paths>,
 }
@@ -61,13 +61,13 @@ impl Unsaved {
         self.session.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Save what has not been saved; `None` when there is nothing to save, or no place for it.
+    /// Saves an unsaved session; `None` if there is none, or no place for it.
     pub(super) fn save(&self) -> Option<SaveResult> {
         self.save_as(&mut self.known.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Save what has not been saved, as the program has to end: no lock of another workbench is waited for, and a thread that saves
-    /// no longer than this.
+    /// Saves an unsaved session when the program has to end. Does not wait for the lock of another workbench, and waits at most this long
+    /// for a thread that is saving.
     pub(super) fn save_at_once(&self, patience: Duration) -> Option<SaveResult> {
         self.is_urgent.store(true, Ordering::SeqCst);
         let deadline = Instant::now() + patience;
@@ -85,7 +85,7 @@ impl Unsaved {
         }
     }
 
-    /// The session is taken by the one who has the fingerprint: where none is left, it is on the disk.
+    /// Saves the session while holding the fingerprint; `None` if another thread has already saved it.
     fn save_as(&self, known: &mut SessionFingerprint) -> Option<SaveResult> {
         let session = self.lock().take()?;
         let path = self.paths.as_ref()?.session_file();
@@ -101,7 +101,7 @@ pub(super) struct IoThread {
 }
 
 impl IoThread {
-    /// Start the thread, which saves a changed session after this delay. Without paths nothing of the program's own is kept.
+    /// Starts the thread, which saves a changed session after this delay. Without paths it stores no files of the program.
     pub(super) fn spawn(
         paths: Option<Paths>,
         known: SessionFingerprint,
@@ -127,29 +127,29 @@ impl IoThread {
     }
 
     fn request(&self, request: Request) {
-        // It ends only with the loop.
+        // The thread ends only with the loop.
         let _ = self.requests.send(request);
     }
 
-    /// Have the session saved soon.
+    /// Schedules saving the session.
     pub(super) fn session_changed(&self, session: Session) {
         *self.unsaved.lock() = Some(Box::new(session));
         self.request(Request::SessionChanged);
     }
 
-    /// The session that has yet to be saved, for the thread that saves it when the loop cannot.
+    /// Returns the unsaved session, for the thread that saves it if the loop cannot.
     pub(super) fn unsaved(&self) -> Unsaved {
         self.unsaved.clone()
     }
 
-    /// Finish all tasks and save the session, waiting at most this long; for no other workbench where it is urgent.
+    /// Finishes all tasks and saves the session within this time; does not wait for another workbench if urgent.
     pub(super) fn finish(&self, patience: Duration, is_urgent: bool) -> SaveResult {
         self.unsaved.is_urgent.store(is_urgent, Ordering::SeqCst);
         let (done, wait) = mpsc::channel();
         let asked = self.requests.send(Request::Finish(done)).is_ok();
         match wait.recv_timeout(patience) {
             Ok(saved) if asked => saved,
-            // Stuck behind a slow task: the session comes first.
+            // A slow task blocks the thread: save the session first.
             _ => self.unsaved.save_at_once(SAVING).unwrap_or(Ok(None)),
         }
     }
@@ -158,11 +158,11 @@ impl IoThread {
 struct FileQueue {
     unsaved: Unsaved,
     inbox: Sender<LoopEvent>,
-    /// How long a changed session may stay unsaved.
+    /// Maximum delay before a changed session is saved.
     delay: Duration,
-    /// Whether the session could be saved the last time.
+    /// Whether the last attempt to save the session succeeded.
     is_kept: Cell<bool>,
-    /// Whether another workbench was found to save its session in the same place.
+    /// Whether another workbench saves its session in the same place.
     shares: Cell<bool>,
 }
 
@@ -189,7 +189,7 @@ impl FileQueue {
                 }
                 Ok(Request::Finish(done)) => {
                     session_due = None;
-                    // The loop may have lost patience.
+                    // The loop may have stopped waiting.
                     let _ = done.send(self.unsaved.save().unwrap_or(Ok(None)));
                 }
                 Ok(Request::Task(task)) => self.contained(task),
@@ -202,10 +202,10 @@ impl FileQueue {
         }
     }
 
-    /// Save the session; a person hears of it when that begins to fail, and when it works again.
+    /// Saves the session; notifies the user when saving starts to fail, and when it works again.
     fn save(&self) {
         let Some(saved) = self.unsaved.save() else { return };
-        // The loop may be over already.
+        // The loop may have ended.
         let tell = |report| drop(self.inbox.send(LoopEvent::Message(Message::Done(report))));
         if let Ok(Some(aside)) = &saved
             && !self.shares.replace(true)
@@ -217,11 +217,11 @@ impl FileQueue {
         }
     }
 
-    /// Do one task and report; a panic ends the task, not the thread.
+    /// Runs a task and reports; a panic ends the task, not the thread.
     fn contained(&self, task: Task) {
         let done = panic::catch_unwind(AssertUnwindSafe(|| self.do_task(task)));
         if let Ok(report) = done {
-            // The loop may be over already.
+            // The loop may have ended.
             let _ = self.inbox.send(LoopEvent::Message(Message::Done(report)));
         }
     }
@@ -250,7 +250,7 @@ impl FileQueue {
     }
 }
 
-/// The message about another session found in place of ours.
+/// Returns the message about another session found in place of this one.
 pub(super) fn of_another(aside: &Path) -> String {
     format!(
         "another workbench has kept its session meanwhile: it is kept as {}, and the list of presets has it",
@@ -258,7 +258,7 @@ pub(super) fn of_another(aside: &Path) -> String {
     )
 }
 
-/// Save a scene in this file, or without one by its name among one's own presets.
+/// Saves a scene in this file, or without a file as a user preset of this name.
 fn save_scene(
     paths: Option<&Paths>,
     name: &str,
@@ -298,7 +298,7 @@ fn list_presets(paths: Option<&Paths>, opened: &[PathBuf]) -> Vec<PresetEntry> {
     let wrong_parts = wrong_parts
         .iter()
         .map(|error| PresetEntry::broken("library".to_owned(), error.to_string()));
-    // A recent file that is gone or broken is omitted: loading it says why.
+    // Omit a missing or invalid recent file; loading it reports the error.
     let unsaved = paths.map(|paths| recent::list(&paths.recent_folder())).unwrap_or_default();
     let entry = |found: Preset| PresetEntry {
         origin: found.origin.label(),
@@ -330,7 +330,7 @@ mod tests {
     use super::*;
     use cmra_engine::model::scene::PlateSize;
 
-    /// A test that waits so long hangs.
+    /// Limit after which a test is considered to hang.
     const HANG: Duration = Duration::from_secs(120);
 
     fn started(delay: Duration) -> (tempfile::TempDir, Paths, IoThread, Receiver<LoopEvent>) {
@@ -361,7 +361,7 @@ mod tests {
     #[test]
     fn a_session_that_cannot_be_kept_is_reported_once() {
         let (place, paths, io_thread, inbox) = started(Duration::ZERO);
-        // Where the folder should be there is a file.
+        // A file is at the place of the folder.
         let state = paths.state.clone();
         fs::create_dir_all(state.parent().unwrap()).unwrap();
         fs::write(&state, "").unwrap();
@@ -373,7 +373,7 @@ mod tests {
         let why = outcome().unwrap_err();
         assert!(why.contains("cannot write"), "{why}");
         io_thread.session_changed(session_of(3.0));
-        // It is tried again before the next request, and nothing is said.
+        // Saving is repeated before the next request, without a message.
         io_thread.ask(Task::ListPresets(Vec::new()));
         assert!(matches!(report(&inbox), EffectReport::Presets(_)));
         fs::remove_file(&state).unwrap();
@@ -386,7 +386,7 @@ mod tests {
     fn a_session_that_changes_often_is_saved_once() {
         let (_place, paths, io_thread, inbox) = started(Duration::from_secs(1_000_000));
         io_thread.session_changed(session_of(2.0));
-        // The answer comes when the change has been dealt with.
+        // The answer comes after the change was handled.
         io_thread.ask(Task::ListPresets(Vec::new()));
         report(&inbox);
         assert!(!paths.session_file().exists());
@@ -395,7 +395,7 @@ mod tests {
         assert_eq!(session::load(&paths.session_file()).session, Some(session_of(3.0)));
     }
 
-    /// Another workbench that was stopped while it saved holds the lock for ever.
+    /// Another workbench that was stopped while saving holds the lock forever.
     #[test]
     fn a_forced_end_saves_beside_a_lock_that_another_holds() {
         for saves_already in [false, true] {
@@ -405,13 +405,13 @@ mod tests {
             let lock = fs::File::create(paths.session_file().with_extension("lock")).unwrap();
             lock.lock().unwrap();
             io_thread.session_changed(session_of(2.0));
-            // The thread that saves has the fingerprint while it waits for the lock.
+            // The saving thread holds the fingerprint while it waits for the lock.
             while saves_already && io_thread.unsaved.known.try_lock().is_ok() {
                 thread::yield_now();
             }
             assert_eq!(io_thread.finish(HANG, true), Ok(None));
             assert_eq!(session::load(&paths.session_file()).session, Some(session_of(2.0)));
-            // So does the thread that ends the process by itself.
+            // So does the thread that ends the process.
             io_thread.session_changed(session_of(3.0));
             let saved = io_thread.unsaved().save_at_once(HANG);
             assert!(!matches!(saved, Some(Err(_))), "{saved:?}");

@@ -1,4 +1,4 @@
-//! The loop itself, and the effects that are not files: jobs, timers, the clipboard, suspending, leaving.
+//! Event loop, and the effects without files: jobs, timers, clipboard, suspending, quitting.
 
 use std::collections::VecDeque;
 use std::io;
@@ -21,30 +21,30 @@ use crate::tui::prelude::*;
 use crate::tui::{update, view};
 use crate::worker::{Slot, Worker};
 
-/// Idle, the loop looks this often whether the terminal is still there.
+/// Interval of checks for a lost terminal while idle.
 const LOOK: Duration = Duration::from_millis(250);
 
-/// Messages taken before the loop looks at anything else.
+/// Maximum number of messages handled per turn of the loop.
 const MESSAGES_PER_TURN: usize = 256;
 
-/// Most bytes of text sent to the terminal's clipboard: what terminals take at least.
+/// Maximum size of a clipboard text, bytes; the smallest limit of common terminals.
 const CLIPBOARD_MAX: usize = 64 * 1024 / 4 * 3;
 
-/// Most messages taken out of the inbox at once.
+/// Maximum number of messages taken from the inbox at once.
 const INBOX_MAX: usize = 1 << 16;
 
-/// How long the system may take to stop the process.
+/// Maximum time for the system to stop the process.
 const STOPPING: Duration = Duration::from_millis(150);
 
-/// How long leaving may take when the person left, and when the terminal or the system ends the process.
+/// Maximum time for quitting: on request, and when the terminal or the system ends the process.
 const FINISH_QUIT: Duration = Duration::from_secs(10);
 const FINISH_FORCED: Duration = Duration::from_millis(900);
 
 pub(super) enum ExitReason {
     Quit,
-    /// A signal, or the terminal is gone: with the exit status that stands for.
+    /// Signal or lost terminal, with its exit status.
     Signal(u8),
-    /// The terminal cannot be used any more.
+    /// Terminal error.
     Broken(io::Error),
 }
 
@@ -54,26 +54,26 @@ impl From<io::Error> for ExitReason {
     }
 }
 
-/// Goes on, unless there is a reason to leave.
+/// Result of a loop turn; the error is the reason to quit.
 type LoopResult = Result<(), ExitReason>;
 
 /// Message to the event loop.
 pub(super) enum LoopEvent {
     Message(Message),
     Mouse(MouseEvent),
-    /// The last frame has arrived at the terminal.
+    /// The terminal has received the last frame.
     Arrived,
-    /// A signal, or the terminal is gone: leave with this exit status.
+    /// Signal or lost terminal: quit with this exit status.
     End(u8),
     /// Stop the process (`kill -TSTP`).
     Stop,
-    /// The terminal has another size.
+    /// The size of the terminal has changed.
     Resized,
-    /// The process was stopped and goes on: take the terminal over again.
+    /// The process continues after a stop: take over the terminal again.
     Continued,
 }
 
-/// Everything the loop has at hand.
+/// State of the event loop.
 pub(super) struct EventLoop {
     app: App,
     guard: Guard,
@@ -82,19 +82,19 @@ pub(super) struct EventLoop {
     io_thread: IoThread,
     pace: FrameScheduler,
     timers: Vec<(Instant, Message)>,
-    /// Events that arrived while the process was being stopped.
+    /// Events that arrived while the process was stopped.
     put_off: VecDeque<LoopEvent>,
-    /// Dropped when the loop has left.
+    /// Dropped when the loop has ended.
     _left: Sender<()>,
 }
 
 impl EventLoop {
-    /// Take the terminal over and start every thread. The first run is under way before the terminal is touched.
+    /// Takes over the terminal and starts all threads. The first run starts before the terminal is changed.
     pub(super) fn start(options: Options, paths: Option<Paths>) -> io::Result<Self> {
         let (sender, inbox) = mpsc::channel();
         let for_reports = sender.clone();
         let worker = Worker::spawn(move |report| {
-            // The loop may be over already.
+            // The loop may have ended.
             let _ = for_reports.send(LoopEvent::Message(Message::Report(report)));
         });
         let (mut app, known) = start::app(options, paths.as_ref());
@@ -102,11 +102,11 @@ impl EventLoop {
         let io_thread = IoThread::spawn(paths, known, effects::SESSION_DELAY, sender.clone())?;
         let unsaved = io_thread.unsaved();
         let left = signals::spawn(sender.clone(), move || {
-            // The reader is gone.
+            // The input thread has ended.
             let _ = unsaved.save_at_once(effects::SAVING);
             terminal::restore();
         })?;
-        // Dropped when anything below fails, which restores the terminal.
+        // Dropped if a later step fails, which restores the terminal.
         let guard = Guard::enter()?;
         let mut shell = Self {
             app,
@@ -121,18 +121,18 @@ impl EventLoop {
         };
         input::spawn(sender, input::hold(environment))?;
         for effect in effects {
-            // Starting requests runs and lists only.
+            // The effects at start are runs and lists only.
             let _ = shell.carry_out(effect, &mut VecDeque::new());
         }
         Ok(shell)
     }
 
-    /// Go on until there is a reason to leave.
+    /// Runs the loop until there is a reason to quit.
     pub(super) fn run(&mut self) -> ExitReason {
         loop {
             match self.turn() {
                 Ok(()) => {}
-                // A terminal that is gone answers with several different errors.
+                // A lost terminal returns several different errors.
                 Err(ExitReason::Broken(_)) if terminal::is_hung_up() => {
                     return ExitReason::Signal(HUNG_UP);
                 }
@@ -141,7 +141,7 @@ impl EventLoop {
         }
     }
 
-    /// Leave: save the session, restore the terminal, and give what a person should know of the session, if anything.
+    /// Quits: saves the session and restores the terminal. Returns a message about the session for the user, if any.
     pub(super) fn leave(mut self, ending: &ExitReason) -> Option<String> {
         let is_forced = !matches!(ending, ExitReason::Quit);
         let patience = if is_forced { FINISH_FORCED } else { FINISH_QUIT };
@@ -149,7 +149,7 @@ impl EventLoop {
         if !is_forced {
             self.await_arrival();
         }
-        // The person sees the prompt while the disk is still busy.
+        // Restore the terminal first, so that the prompt does not wait for the disk.
         drop(self.guard);
         match self.io_thread.finish(patience, is_forced) {
             Ok(aside) => aside.map(|aside| effects::of_another(&aside)),
@@ -157,7 +157,7 @@ impl EventLoop {
         }
     }
 
-    /// Wait for something, deal with all that has come, and draw if it is time.
+    /// Waits for messages, handles all of them, and draws if a frame is due.
     fn turn(&mut self) -> LoopResult {
         if self.put_off.is_empty() {
             self.put_off.extend(self.inbox.recv_timeout(self.wait(Instant::now())));
@@ -182,7 +182,7 @@ impl EventLoop {
         Ok(())
     }
 
-    /// How long nothing can happen by itself.
+    /// Returns the time until the next timer.
     fn wait(&self, now: Instant) -> Duration {
         let timers = self.timers.iter().map(|(due, _)| *due);
         timers
@@ -211,7 +211,7 @@ impl EventLoop {
             LoopEvent::Arrived => self.pace.arrived(Instant::now()),
             LoopEvent::End(status) => return Err(ExitReason::Signal(status)),
             LoopEvent::Stop => {
-                // Where no shell could continue it, the system would ignore the signal.
+                // The system ignores the signal if no shell could continue the process.
                 let _stopped = self.suspend()?;
             }
             LoopEvent::Resized => self.take(size()?)?,
@@ -224,7 +224,7 @@ impl EventLoop {
         Ok(())
     }
 
-    /// The message of a click or a turn of the wheel on the present screen.
+    /// Returns the message of a click or a turn of the wheel at a position of the screen.
     fn pointed(&self, mouse: MouseEvent) -> Option<Message> {
         let target = view::target(&self.app, (mouse.column, mouse.row));
         match mouse.kind {
@@ -234,7 +234,7 @@ impl EventLoop {
         }
     }
 
-    /// Let the state take a message, and all that follows from it at once.
+    /// Updates the state with a message and performs the resulting effects.
     fn take(&mut self, message: Message) -> LoopResult {
         let mut queue = VecDeque::from([message]);
         while let Some(message) = queue.pop_front() {
@@ -289,7 +289,7 @@ impl EventLoop {
         Ok(())
     }
 
-    /// Send a text to the clipboard of the terminal; gives what to say of it.
+    /// Copies a text to the clipboard of the terminal; returns the message for the user.
     fn copy(&mut self, text: &str) -> io::Result<String> {
         if text.len() > CLIPBOARD_MAX {
             let (length, most) = (text.len() / 1024, CLIPBOARD_MAX / 1024);
@@ -306,7 +306,7 @@ impl EventLoop {
         .to_owned())
     }
 
-    /// Give the terminal back, stop, and take it over again when continued. Returns whether the process was stopped.
+    /// Restores the terminal, stops the process, and takes the terminal over when continued. Returns whether the process was stopped.
     fn suspend(&mut self) -> io::Result<bool> {
         if !terminal::could_be_continued() {
             return Ok(false);
@@ -314,8 +314,8 @@ impl EventLoop {
         self.await_arrival();
         terminal::restore();
         terminal::stop()?;
-        // The system stops the process a moment after the call; it goes on with a signal. The time runs out while stopped, too:
-        // only the second wait in a row without a signal means that nothing happened.
+        // The system stops the process shortly after the call, and a signal continues it. The wait may also expire while the process is
+        // stopped. Therefore only two expired waits in a row mean that it was not stopped.
         let mut stopped = false;
         let mut waits = 0;
         while !stopped && waits < 2 {
@@ -327,12 +327,12 @@ impl EventLoop {
         }
         self.guard.enter_again()?;
         self.pace.lost();
-        // The window may have changed meanwhile.
+        // The window size may have changed.
         self.put_off.push_front(LoopEvent::Message(size()?));
         Ok(stopped)
     }
 
-    /// Wait for the answers that are under way, as long as they may take: a later one would reach the shell.
+    /// Waits for pending answers of the terminal; the shell would receive later ones.
     fn await_arrival(&mut self) {
         self.put_off.retain(|incoming| {
             let has_arrived = matches!(incoming, LoopEvent::Arrived);
@@ -352,7 +352,7 @@ impl EventLoop {
     }
 }
 
-/// The message of the present size of the terminal.
+/// Returns the message with the present size of the terminal.
 fn size() -> io::Result<Message> {
     terminal::size().map(|(columns, rows)| Message::Resize(columns, rows))
 }

@@ -1,64 +1,63 @@
-//! When to draw: at once when little has been drawn lately, and never more often than a slow line can bear.
+//! Frame scheduling: draws immediately after a pause, and limits the rate on a slow connection.
 //!
-//! A frame asks the terminal to report when it has arrived, and the next one is drawn only then: on a slow line the picture is never
-//! older than one frame takes. Of a terminal that does not answer nothing is asked any more.
+//! Each frame requests an acknowledgement from the terminal, and the next frame is drawn after it. On a slow connection the picture is
+//! therefore at most one frame time old. Terminals that do not answer are not asked again.
 //!
-//! A picture that moves by itself leaves the line free for longer than a frame takes: keys come first.
+//! Animations leave the connection idle for longer than a frame takes, so that keys have priority.
 //!
-//! A change waits a few milliseconds for the result of the run it started, so that value and curves come in one frame. Knows
-//! no clock: the time is passed in.
+//! A change waits a few milliseconds for the result of its run, so that value and curves appear in one frame. Does not read a clock: the
+//! time is an argument.
 
 use std::time::{Duration, Instant};
 
-/// Least mean time between frames.
+/// Minimum mean time between frames.
 const FRAME: Duration = Duration::from_millis(50);
 
-/// Frames that may be drawn in quick succession after a pause.
+/// Maximum number of frames in quick succession after a pause.
 const BURST: u32 = 3;
 
-/// How long a frame waits for the result of a run just started.
+/// Maximum time that a frame waits for the result of a new run.
 const GRACE: Duration = Duration::from_millis(12);
 
-/// How long a frame waits for the answer to the one before, of a terminal that has answered before, and of one that has not.
+/// Maximum time that a frame waits for the previous acknowledgement, for a terminal that has answered before, and for one that has not.
 const ARRIVAL: Duration = Duration::from_secs(3);
 const FIRST_ARRIVAL: Duration = Duration::from_secs(1);
 
-/// How long after the last question an answer may come on leaving: a frame of 10 kB on a line of 2 kB/s. An answer that comes later would
-/// reach the shell as typed text.
+/// Maximum time for the last acknowledgement when quitting: a frame of 10 kB at 2 kB/s. The shell would receive a later one as typed text.
 const LAST_ARRIVAL: Duration = Duration::from_secs(5);
 
-/// So many frames in a row without an answer, and the terminal is not asked any more: it has answered before, or not.
+/// Number of consecutive frames without acknowledgement after which the terminal is not asked again, if it has answered before, and if not.
 const UNANSWERED: u32 = 5;
 const NEVER_ANSWERED: u32 = 2;
 
-/// Rest of the line after a frame of what moves by itself, in times that the frame took to arrive.
+/// Idle time of the connection after an animation frame, relative to the time of that frame.
 const REST: f64 = 2.0;
-/// Rest between frames for a terminal that does not acknowledge frames.
+/// Idle time after an animation frame for a terminal that does not acknowledge frames.
 const REST_UNKNOWN: Duration = Duration::from_millis(250);
 
 pub(super) struct FrameScheduler {
-    /// Whether anything has changed since the last frame.
+    /// Whether the screen has changed since the last frame.
     dirty: bool,
-    /// Whether what moves by itself has changed since the last frame.
+    /// Whether an animation has changed since the last frame.
     moving: bool,
-    /// When the next frame of that may be drawn.
+    /// Earliest time of the next animation frame.
     rests_until: Instant,
-    /// When the budget will be full again; each frame moves it on by one interval.
+    /// Time at which the budget is full; each frame delays it by one interval.
     full_at: Instant,
-    /// Until when a frame waits for a result.
+    /// Time until which a frame waits for a result.
     waits_until: Option<Instant>,
-    /// When the frame was drawn that has not been reported to have arrived.
+    /// Time of the last frame, if it is not acknowledged.
     under_way: Option<Instant>,
-    /// Number of questions without an answer, and the time of the last question.
+    /// Number of pending acknowledgements, and the time of the last request.
     owed: (u32, Option<Instant>),
-    /// Frames in a row without an answer.
+    /// Number of consecutive frames without acknowledgement.
     unanswered: u32,
-    /// Whether the terminal has ever answered.
+    /// Whether the terminal has ever acknowledged a frame.
     answers: bool,
 }
 
 impl FrameScheduler {
-    /// Nothing drawn yet, and everything to draw.
+    /// Creates the initial state: nothing is drawn, and a frame is due.
     pub(super) fn new(now: Instant) -> Self {
         Self {
             dirty: true,
@@ -82,18 +81,18 @@ impl FrameScheduler {
         self.moving = true;
     }
 
-    /// A run has been started whose result may come at once.
+    /// Records that a run was started whose result may come soon.
     pub(super) fn expect_result(&mut self, now: Instant) {
-        // The first run of several decides: a held key must not put the frame off for ever.
+        // The first of several runs determines the time, so that a held key does not delay the frame indefinitely.
         self.waits_until.get_or_insert(now + GRACE);
     }
 
-    /// No result is being waited for any more.
+    /// Records that no result is expected any more.
     pub(super) fn result_came(&mut self) {
         self.waits_until = None;
     }
 
-    /// When the next frame is to be drawn; `None` when there is nothing to draw.
+    /// Returns the time of the next frame; `None` if there is nothing to draw.
     pub(super) fn due(&self) -> Option<Instant> {
         if !self.dirty && !self.moving {
             return None;
@@ -106,18 +105,18 @@ impl FrameScheduler {
         [self.waits_until, arrived, rest].into_iter().flatten().chain([budget]).max()
     }
 
-    /// Whether a frame is to ask for its arrival.
+    /// Returns `true` if the frame should request an acknowledgement.
     pub(super) fn requests_ack(&self) -> bool {
         self.unanswered < if self.answers { UNANSWERED } else { NEVER_ANSWERED }
     }
 
-    /// The time until which an answer may still come; `None` if all questions are answered.
+    /// Returns the time until which an acknowledgement may come; `None` if none is pending.
     pub(super) fn answers_until(&self) -> Option<Instant> {
         let (count, last) = self.owed;
         last.filter(|_| count > 0).map(|asked| asked + LAST_ARRIVAL)
     }
 
-    /// The last frame has arrived.
+    /// Records the acknowledgement of the last frame.
     pub(super) fn arrived(&mut self, now: Instant) {
         if let Some(drawn) = self.under_way {
             self.rests_until = now + now.saturating_duration_since(drawn).mul_f64(REST);
@@ -131,7 +130,7 @@ impl FrameScheduler {
         (self.under_way, self.owed) = (None, (0, None));
     }
 
-    /// A frame has been drawn; one that changed nothing cost the line nothing.
+    /// Records that a frame was drawn; an unchanged frame sends no data.
     pub(super) fn drawn(&mut self, now: Instant, changed: bool) {
         (self.dirty, self.moving) = (false, false);
         self.waits_until = None;
@@ -169,7 +168,7 @@ mod tests {
         frames
     }
 
-    /// On a slow line two questions may be under way: both answers belong to this program.
+    /// On a slow connection two requests may be pending; both answers belong to this program.
     #[test]
     fn every_answer_is_awaited_for_some_seconds() {
         let start = Instant::now();
@@ -186,7 +185,7 @@ mod tests {
         assert_eq!(pace.answers_until(), until);
         pace.arrived(second);
         assert_eq!(pace.answers_until(), None);
-        // A terminal that was given away answers to someone else.
+        // Another program receives the answers of a terminal that was handed over.
         pace.change();
         pace.drawn(second, true);
         pace.lost();
@@ -237,7 +236,7 @@ mod tests {
         assert!((25..=27).contains(&frames), "{frames}");
     }
 
-    /// A frame of 600 bytes takes 0.12 s at 5 kB/s: with twice as long a rest that is 1.7 kB/s. A key does not wait.
+    /// A frame of 600 bytes takes 0.12 s at 5 kB/s; with an idle time twice as long that is 1.7 kB/s. Keys do not wait.
     #[test]
     fn what_moves_by_itself_leaves_a_slow_line_free() {
         let start = Instant::now();
@@ -272,11 +271,11 @@ mod tests {
         let ten = Duration::from_secs(10);
         frames(&mut pace, start, ten);
         assert!(!pace.requests_ack());
-        // Leaving waits for the last question's answer, a few seconds after it was asked.
+        // Quitting waits a few seconds for the last acknowledgement.
         assert!(pace.answers_until().is_some_and(|until| until < start + ten));
         let drawn = frames(&mut pace, start + ten, ten);
         assert!(drawn >= 200, "{drawn}");
-        // One that has answered is given more time.
+        // A terminal that has answered before is given more time.
         let mut pace = FrameScheduler::new(start);
         pace.drawn(start, true);
         pace.arrived(start);
@@ -292,7 +291,7 @@ mod tests {
         pace.expect_result(start);
         let due = pace.due().expect("something to draw");
         assert_eq!(due, start + GRACE);
-        // Another run does not put it off.
+        // Another run does not delay the frame.
         pace.expect_result(start + GRACE / 2);
         assert_eq!(pace.due(), Some(due));
         pace.result_came();

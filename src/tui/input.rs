@@ -1,6 +1,6 @@
-//! The input thread: what comes from the terminal becomes messages.
+//! Input thread: converts terminal input to messages.
 //!
-//! The thread is never joined: the loop detects a hang-up itself, and the end of the process ends the thread.
+//! The thread is never joined. The loop detects a hang-up itself, and the thread ends with the process.
 
 use std::io;
 use std::panic::{self, AssertUnwindSafe};
@@ -14,17 +14,17 @@ use super::terminal;
 use super::terminal::decode::{Decoder, Input};
 use crate::tui::message::Message;
 
-/// How long a lone escape may be the beginning of a key whose rest is under way; over SSH the rest may come in another packet.
+/// Time for which a single escape may be the start of a key sequence; over SSH the rest may come in another packet.
 const ESCAPE_TIMEOUT: Duration = Duration::from_millis(50);
 const HOLD_OVER_SSH: Duration = Duration::from_millis(100);
 
-/// The time a lone escape is held in this environment.
+/// Returns the escape timeout for this environment.
 pub(super) fn hold(env: impl Fn(&str) -> Option<String>) -> Duration {
     let is_remote = ["SSH_CONNECTION", "SSH_TTY"].into_iter().any(|name| env(name).is_some());
     if is_remote { HOLD_OVER_SSH } else { ESCAPE_TIMEOUT }
 }
 
-/// Start the thread. When it ends, whatever the reason, the terminal counts as gone.
+/// Starts the thread. The terminal counts as lost when the thread ends.
 pub(super) fn spawn(inbox: Sender<LoopEvent>, hold: Duration) -> io::Result<()> {
     let reading = move || {
         let decoder = Decoder::new(hold);
@@ -32,16 +32,16 @@ pub(super) fn spawn(inbox: Sender<LoopEvent>, hold: Duration) -> io::Result<()> 
             let start = Instant::now();
             Ok((terminal::read(buffer, patience)?, start.elapsed()))
         };
-        // What ends it, an error or a panic, is the end of the terminal.
+        // An error or a panic of the thread counts as a lost terminal.
         let _ = panic::catch_unwind(AssertUnwindSafe(|| listen(&inbox, decoder, read)));
-        // The loop may be over already.
+        // The loop may have ended.
         let _ = inbox.send(LoopEvent::End(HUNG_UP));
     };
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }
 
-/// Pass on what comes until reading fails or the loop is over. `read` waits for bytes, at most as long as it is given, and gives
-/// their number, `None` when the time has passed, and how long it has waited.
+/// Forwards input until reading fails or the loop has ended. `read` waits for bytes, at most for the given time. It returns their number
+/// (`None` on timeout) and the time waited.
 fn listen(
     inbox: &Sender<LoopEvent>,
     mut decoder: Decoder,
@@ -113,7 +113,7 @@ mod tests {
         inbox.iter().collect()
     }
 
-    /// Whatever began, and however a person goes on to type, the keys are heard again after a while, an interrupt at once in a paste.
+    /// After any unterminated sequence keys are recognised again after a while; an interrupt immediately, also in a paste.
     #[test]
     fn no_sequence_without_an_end_keeps_the_keys() {
         const TYPED: usize = 200;
@@ -135,7 +135,7 @@ mod tests {
             b"\x1b[M",
         ];
         for begun in begun {
-            // Digits and letters, held down or typed as fast as can be.
+            // Digits and letters, held down or typed as fast as possible.
             for (every, key) in [(33, &b"j"[..]), (33, b"5"), (33, b";"), (100, b"j"), (150, b"5")]
             {
                 let mut packets = vec![(0, begun)];
@@ -143,7 +143,7 @@ mod tests {
                 let is_key =
                     |event: &LoopEvent| matches!(event, LoopEvent::Message(Message::Key(_)));
                 let heard = events(ESCAPE_TIMEOUT, &packets).iter().filter(|it| is_key(it)).count();
-                // A paste may wait for 10 s in all, which are 435 keys that are held down.
+                // A paste may wait for 10 s in total, which are 435 repeats of a held key.
                 let is_paste = begun.starts_with(b"\x1b[200~");
                 let least = if !is_paste {
                     TYPED - 25
@@ -160,7 +160,7 @@ mod tests {
             let found = events(ESCAPE_TIMEOUT, &[(0, *begun), (33, b"\x03")]);
             assert!(found.last().is_some_and(is_interrupt), "{begun:?}");
         }
-        // A paste on a slow line, byte by byte.
+        // Paste on a slow connection, byte by byte.
         let mut packets = vec![(0, &b"\x1b[200~"[..])];
         packets.extend(std::iter::repeat_n((5, &b"x"[..]), 10_000));
         packets.push((9_000, b"\x1b[201~"));

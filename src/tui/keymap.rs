@@ -1,5 +1,5 @@
-//! The key table: keys and the one meaning each has in every pane, what a key does in particular in a pane, and every action by
-//! name. `cmra help keys`, `?`, the footer, `:` and the routing of keys all read it. Knows no state and no screen.
+//! Key table: the meaning of keys in all panes and in particular panes, and all actions by name. `cmra help keys`, `?`, the footer, `:` and
+//! the routing of keys use this table. Does not depend on the state or the screen.
 
 use std::collections::BTreeMap;
 
@@ -10,29 +10,29 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use Action as A;
 
 enumeration! {
-    /// The tabs, in the order of the title row.
+    /// Tabs, in the order of the title row.
     #[derive(Default, Hash, PartialOrd, Ord)]
     pub enum Tab in TabRow {
         name: &'static str,
     }
-    /// Impact: variables, charts, runs.
+    /// Single impact: variables, charts, runs.
     #[default]
     Run { name: "Run" }
-    /// Curves or a map of a quantity over one variable or two.
+    /// Curves or a map of a quantity over one or two variables.
     Explore { name: "Explore" }
-    /// The ballistic limit, and the comparison at equal areal mass.
+    /// Ballistic limit, and comparison at equal areal mass.
     Limit { name: "Limit" }
     /// Goal seek, Pareto front, sensitivity, Monte Carlo.
     Search { name: "Search" }
     /// Accuracy and stability of the methods.
     Numerics { name: "Numerics" }
-    /// The thesis: what is computed of it, its principles, its concepts.
+    /// Thesis: reproduced results, principles, concepts.
     Thesis { name: "Thesis" }
     /// Warnings, events, energy, cost and messages.
     Log { name: "Log" }
 }
 
-/// The keys that lead to the tabs.
+/// Keys of the tabs.
 const TAB_KEYS: &[KeyBinding] = &[
     (A::Tab(Tab::Run), "tab-run", "1"),
     (A::Tab(Tab::Explore), "tab-explore", "2"),
@@ -44,19 +44,19 @@ const TAB_KEYS: &[KeyBinding] = &[
 ];
 
 impl Tab {
-    /// Returns the position in the title row, from 0.
+    /// Returns the position in the title row, starting at 0.
     pub fn index(self) -> usize {
         self as usize
     }
 
-    /// The text in the title row, with the key that leads there.
+    /// Returns the text in the title row, with the key of the tab.
     pub(crate) fn title(self, keys: &Keymap) -> String {
         let (key, name) = (keys.label(Action::Tab(self)), self.name());
         if key.is_empty() { name.to_owned() } else { format!("{key}:{name}") }
     }
 }
 
-/// A pane: what can have the focus, by its tab and its place among the tab's panes.
+/// Focusable pane, identified by its tab and its index in the tab.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Pane {
     pub tab: Tab,
@@ -64,7 +64,7 @@ pub struct Pane {
 }
 
 impl Pane {
-    /// A pane of a tab, each with a number of its own.
+    /// Creates a pane of a tab; the index must be unique in the tab.
     pub const fn new(tab: Tab, at: u8) -> Self {
         Self { tab, at }
     }
@@ -73,24 +73,24 @@ impl Pane {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
     Tab(Tab),
-    /// A page of the tab, by its place among the names.
+    /// Page of the tab, by index.
     Page(usize),
-    /// A pane, beside its parts.
+    /// Pane as a whole.
     Pane(Pane),
     Row(Pane, usize),
     Cell(Pane, (usize, usize)),
-    /// A value of the axis across of a chart.
+    /// Value on the horizontal axis of a chart.
     Value {
         pane: Pane,
         chart: usize,
         value: f64,
     },
-    /// A row of the list in the dialog on top.
+    /// Row of the list in the open dialog.
     DialogRow(usize),
 }
 
 impl Target {
-    /// The pane it is, or is in.
+    /// Returns the pane that contains the target.
     pub(crate) fn pane(self) -> Option<Pane> {
         match self {
             Self::Pane(pane)
@@ -106,12 +106,12 @@ pub struct PaneSpec {
     pub pane: Pane,
     /// Name in help, palette and messages.
     pub label: &'static str,
-    /// The meaning of keys in it, the most useful first: the order of the footer, which drops the last ones on a narrow screen.
+    /// Meanings of keys in the pane, the most useful first; the footer drops the last ones on a narrow screen.
     pub keys: &'static [PaneKey],
 }
 
 impl PaneSpec {
-    /// Whether an action means something in the pane.
+    /// Returns `true` if the pane has a meaning for an action.
     pub fn knows(&self, action: Action) -> bool {
         let is_of = |line: &KeyHelp| line.keys.iter().any(|(one, ..)| *one == action);
         !PANE_KEYS.iter().any(is_of) || self.keys.iter().any(|row| row.action == action)
@@ -119,9 +119,9 @@ impl PaneSpec {
 }
 
 pub struct PaneKey {
-    /// Action whose key is shown.
+    /// Action of the displayed key.
     pub action: Action,
-    /// A word or two for the footer: `load`; empty where it stands in help only.
+    /// Label of one or two words for the footer: `load`; empty for help only.
     pub short: &'static str,
     pub help: &'static str,
 }
@@ -130,7 +130,7 @@ pub const fn key(action: Action, short: &'static str, help: &'static str) -> Pan
     PaneKey { action, short, help }
 }
 
-/// Everything the workbench can do.
+/// Actions of the workbench.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[expect(missing_docs, reason = "each action is described once, in the tables, for people")]
 pub enum Action {
@@ -181,7 +181,7 @@ pub enum Action {
 pub struct Key(pub KeyCode, pub KeyModifiers);
 
 impl Key {
-    /// The keys that are written as words.
+    /// Keys with a name.
     const NAMED: [(KeyCode, &str); 14] = [
         (C::Char(' '), "Space"),
         (C::Tab, "Tab"),
@@ -199,7 +199,7 @@ impl Key {
         (C::Right, "Right"),
     ];
 
-    /// The key as people write it: `Ctrl-r`, `Space`, `Tab`, `G`.
+    /// Returns the notation of the key: `Ctrl-r`, `Space`, `Tab`, `G`.
     pub fn label(self) -> String {
         let Self(code, modifiers) = self;
         let control = if modifiers.contains(KeyModifiers::CONTROL) { "Ctrl-" } else { "" };
@@ -210,7 +210,7 @@ impl Key {
         format!("{control}{shift}{name}")
     }
 
-    /// Reads a key as people write it; `None` where it is none. Characters have no Shift: a capital letter is one of its own.
+    /// Parses the notation of a key; `None` if invalid. Characters have no Shift: a capital letter is a separate key.
     pub fn parse(text: &str) -> Option<Self> {
         let named = |name: &str| {
             let found = Self::NAMED.iter().find(|(_, known)| known.eq_ignore_ascii_case(name));
@@ -229,7 +229,7 @@ impl Key {
         let mut letters = name.chars();
         let code = match (named(name), letters.next(), letters.next()) {
             (Some(code), _, _) => code,
-            // Terminals send the small letter for both.
+            // Terminals send the lower-case letter for both.
             (None, Some(c), None) if !c.is_control() && modifiers == KeyModifiers::CONTROL => {
                 KeyCode::Char(c.to_ascii_lowercase())
             }
@@ -240,7 +240,7 @@ impl Key {
         Some(Self(code, modifiers))
     }
 
-    /// The key of an event. Terminals disagree on whether a capital letter carries Shift: it is dropped for characters.
+    /// Converts a key event. Shift is dropped for characters, because terminals differ in whether a capital letter has it.
     pub fn from_event(event: KeyEvent) -> Self {
         match event.code {
             KeyCode::Char(_) | KeyCode::BackTab => {
@@ -251,7 +251,7 @@ impl Key {
     }
 }
 
-/// The keys in force: those of the table, with those of the configuration in their place.
+/// Active keys: those of the table, replaced by those of the configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Keymap {
     keys: BTreeMap<Action, Vec<Key>>,
@@ -265,7 +265,7 @@ impl Default for Keymap {
 }
 
 impl Keymap {
-    /// The table with other keys for some actions, by their names in the configuration.
+    /// Creates the key map with other keys for some actions, by the actions' names in the configuration.
     pub fn remapped(wanted: &BTreeMap<String, Vec<String>>) -> Result<Self, String> {
         let mut map = Self::default();
         for (name, keys) in wanted {
@@ -294,7 +294,7 @@ impl Keymap {
         Ok(map)
     }
 
-    /// The action of a key: the same in every pane.
+    /// Returns the global action of a key.
     pub fn action(&self, event: KeyEvent) -> Option<Action> {
         let pressed = Key::from_event(event);
         self.keys.iter().find(|(_, keys)| keys.contains(&pressed)).map(|(action, _)| *action)
@@ -304,12 +304,12 @@ impl Keymap {
         self.keys.get(&action).map_or(&[], Vec::as_slice)
     }
 
-    /// The key to show for an action; empty where it has none.
+    /// Returns the displayed key of an action; empty if it has none.
     pub fn label(&self, action: Action) -> String {
         self.keys(action).first().map_or_else(String::new, |key| key.label())
     }
 
-    /// A text with the key to show in the place of each action that it names: `press <run>`; one without a key is called by name, `:run`.
+    /// Replaces action names in a text by keys: `press <run>`; an action without a key becomes a command, `:run`.
     pub fn shown(&self, text: &str) -> String {
         if !text.contains('<') {
             return text.to_owned();
@@ -324,7 +324,7 @@ impl Keymap {
         })
     }
 
-    /// The keys of a line of the table: `u Ctrl-r`, `h j k l`.
+    /// Returns the keys of a line of the table: `u Ctrl-r`, `h j k l`.
     pub fn line_label(&self, line: &KeyHelp) -> String {
         let labels = line.keys.iter().map(|(action, _, _)| self.label(*action));
         labels.filter(|label| !label.is_empty()).collect::<Vec<String>>().join(" ")
@@ -335,22 +335,22 @@ pub fn name(action: Action) -> &'static str {
     bound().find(|(one, _, _)| *one == action).map_or("", |(_, name, _)| name)
 }
 
-/// Something that can be called by name.
+/// Named command.
 pub struct Command {
     pub call: CommandTarget,
-    /// Name, beginning with a verb.
+    /// Name, starting with a verb.
     pub name: &'static str,
-    /// Other words it is found by.
+    /// Further words for the search.
     pub synonyms: &'static str,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CommandTarget {
-    /// An action, in the pane that has the keys.
+    /// Action in the focused pane.
     Do(Action),
-    /// An action of a pane, which is shown first.
+    /// Action in a given pane, which is shown first.
     In(Pane, Action),
-    /// Shows a pane, with one of the pages of its tab where the pane has several.
+    /// Shows a pane, with a page of its tab if there are several.
     Show(Pane, Option<usize>),
 }
 
@@ -360,7 +360,7 @@ impl Command {
     }
 }
 
-/// An action, its name in the configuration, and its keys as people write them, the one to show first.
+/// Action, its name in the configuration, and the notation of its keys, the displayed one first.
 pub type KeyBinding = (Action, &'static str, &'static str);
 
 pub struct KeyHelp {
@@ -372,7 +372,7 @@ const fn line(keys: &'static [KeyBinding], meaning: &'static str) -> KeyHelp {
     KeyHelp { keys, meaning }
 }
 
-/// All actions that have a name in the configuration, by which they are bound to keys.
+/// Iterates over all actions that can be bound to keys in the configuration.
 pub fn bound() -> impl Iterator<Item = &'static KeyBinding> {
     GLOBAL_KEYS.iter().chain(PANE_KEYS).flat_map(|line| line.keys)
 }
@@ -403,7 +403,7 @@ pub static GLOBAL_KEYS: &[KeyHelp] = &[
     line(&[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 ];
 
-/// Keys of the panes that list them.
+/// Keys of individual panes.
 #[rustfmt::skip]
 pub static PANE_KEYS: &[KeyHelp] = &[
     line(&[(A::FullPane, "full-pane", "z")], "show this pane alone"),
@@ -417,7 +417,7 @@ pub static PANE_KEYS: &[KeyHelp] = &[
 mod tests {
     use super::*;
 
-    /// No key has two meanings, and about twenty lines hold everywhere.
+    /// No key has two meanings, and about twenty lines apply everywhere.
     #[test]
     fn every_key_has_one_meaning_and_there_are_few_of_them() {
         assert_eq!(Keymap::remapped(&BTreeMap::new()), Ok(Keymap::default()));

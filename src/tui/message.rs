@@ -1,4 +1,4 @@
-//! Inputs of the workbench ([`Message`]) and its requests to the outside ([`Effect`]).
+//! Inputs of the workbench ([`Message`]) and its requests to the event loop ([`Effect`]).
 
 use std::fmt;
 use std::path::PathBuf;
@@ -19,42 +19,42 @@ use cmra_studies::study::context::Reach;
 #[derive(Clone, Debug)]
 pub enum Message {
     Key(KeyEvent),
-    /// Text was pasted (bracketed paste).
+    /// Pasted text (bracketed paste).
     Paste(String),
-    /// The terminal has a new size.
+    /// New size of the terminal.
     Resize(u16, u16),
     Click(Target),
-    /// The wheel was turned, upward or not, over something.
+    /// Turn of the wheel (`true` for upward) at a target.
     Wheel(bool, Option<Target>),
     Report(TaskReport),
-    /// The quiet time after an edit is over; stale when the serial number is not the newest.
+    /// End of the quiet time after an edit; outdated unless the serial number is the newest.
     RunDue(u64),
-    /// No key was pressed for a while; stale when the serial number is not the newest.
+    /// End of the idle time; outdated unless the serial number is the newest.
     Rest(u64),
-    /// A job has been running for so long that leaving must not drop it without confirmation: its number.
+    /// Number of a job that now needs confirmation to be cancelled, because it takes long.
     LongJob(u64),
-    /// The next picture of the playing with this number is due.
+    /// Next frame of the animation with this number.
     Tick(u64),
-    /// An effect has been carried out, or has failed.
+    /// End of an effect, successful or not.
     Done(EffectReport),
 }
 
-/// How an effect ended. The texts are for the message row.
+/// Result of an effect, with texts for the message row.
 #[derive(Clone, Debug)]
 pub enum EffectReport {
-    /// A scene was saved under this name or path: its file.
+    /// A scene was saved under this name or path.
     Saved(String, ExportOutcome),
-    /// An export to this path was written; or the target exists already; or it failed.
+    /// Result of an export to this path: written, target exists, or failed.
     Exported(PathBuf, ExportOutcome),
-    /// The presets that can be loaded now.
+    /// Available presets.
     Presets(Vec<PresetEntry>),
-    /// A scene file was read.
+    /// Scene read from a file.
     Loaded(Result<(String, Box<Scene>), String>),
-    /// The traces of a file were read, or why not.
+    /// Traces read from a file.
     Traces(PathBuf, Result<Arc<Traces>, String>),
-    /// Something a person should know of.
+    /// Message for the user.
     Said(Severity, String),
-    /// The session cannot be kept any more, and why; or it can again.
+    /// Saving the session starts to fail, or works again.
     Session(Result<(), String>),
 }
 
@@ -79,12 +79,12 @@ impl ExportOutcome {
     }
 }
 
-/// A request of the workbench to the outside.
+/// Request of the workbench to the event loop.
 #[derive(Clone, Debug)]
 pub enum Effect {
-    /// Queue a task; a newer one of the same slot replaces an older one.
+    /// Queue a task; replaces an older task of the same slot.
     Submit(Task),
-    /// Cancel a task, by its number.
+    /// Cancel a task, by number.
     Cancel(u64),
     After(Duration, Message),
     Files(FileTask),
@@ -92,65 +92,65 @@ pub enum Effect {
     SaveSession,
     /// Copy to the clipboard of the terminal (OSC 52).
     Copy(String),
-    /// Capture the mouse or let it go.
+    /// Capture or release the mouse.
     Mouse(bool),
     Redraw,
     /// Restore the terminal and stop until `fg`.
     Suspend,
-    /// Leave.
+    /// Quit.
     Quit,
 }
 
-/// Something to do with files, on a thread of its own.
+/// File task for the I/O thread.
 #[derive(Clone, Debug)]
 pub enum FileTask {
     /// Save the scene, keeping the comments of an existing file.
     SaveScene {
-        /// The name or path that was typed.
+        /// Typed name or path.
         name: String,
-        /// The file; `None`: a preset of the user's of this name.
+        /// Path of the file; `None` for a user preset of this name.
         path: Option<PathBuf>,
         scene: Box<Scene>,
         /// Replace an existing file or preset.
         overwrite: bool,
     },
     Export(Destination, Content),
-    /// List the presets there are, these files among them.
+    /// List the available presets, including these files.
     ListPresets(Vec<PathBuf>),
     Load(PathBuf),
-    /// Read traces to draw beside the runs.
+    /// Read traces for the charts.
     Traces(PathBuf),
 }
 
-/// The content of a file to write.
+/// Content of a file to write.
 #[derive(Clone, Debug)]
 pub enum Content {
-    /// Runs, each with its name (`now`, `A`, ...).
+    /// Runs with their names (`now`, `A`, ...).
     Runs(Vec<NamedRun>),
     Page(PageTable),
-    /// The charts on the screen as SVG.
+    /// Displayed charts as SVG.
     Text(String),
 }
 
-/// The table of a page, made where it is written or copied: a long one takes a moment.
+/// Table of a page. The text is built when written or copied, because a long table takes a moment.
 #[derive(Clone)]
 pub struct PageTable {
     /// Content of the export, for the dialog's frame.
     pub title: &'static str,
-    /// The file that is proposed.
+    /// Proposed file name.
     pub file: String,
     reach: Reach,
     csv: Arc<dyn Fn(Reach) -> String + Send + Sync>,
     /// Scene of the content, if it has one.
     scene: Option<Arc<Scene>>,
-    /// The comment lines above the scene in the file beside the table.
+    /// Comment lines above the scene in the file next to the table.
     notes: String,
-    /// The command that makes the table again of the scene: `sweep --over k=1..2`.
+    /// Command that recreates the table from the scene: `sweep --over k=1..2`.
     command: String,
 }
 
 impl PageTable {
-    /// A table of no scene in particular.
+    /// Creates a table without a scene.
     pub(crate) fn new(
         title: &'static str,
         file: impl Into<String>,
@@ -165,7 +165,7 @@ impl PageTable {
         Self { title, file, reach, csv, scene: None, notes, command }
     }
 
-    /// Builds a table of a scene, which a command makes again; the preset is part of the file's name.
+    /// Creates a table of a scene, which a command recreates; the file name contains the preset.
     pub(crate) fn for_scene(
         self,
         app: &App,
@@ -205,7 +205,7 @@ impl Content {
         }
     }
 
-    /// The text of the file.
+    /// Returns the text of the file.
     pub fn text(&self) -> String {
         match self {
             Self::Runs(runs) => run::csv(runs),

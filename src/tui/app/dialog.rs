@@ -1,4 +1,4 @@
-//! A dialog on top of the panes, as the rest of the workbench knows it.
+//! Interface of a dialog on top of the panes.
 
 use std::fmt::Debug;
 use std::path::Path;
@@ -18,21 +18,20 @@ pub(crate) enum Outcome {
     Calls(CommandTarget),
 }
 
-/// A dialog: its keys, how it is drawn, and what comes of it. While it is open it has all keys but those that work everywhere.
+/// Dialog: its keys, drawing and effects. An open dialog receives all keys except the global ones.
 pub(crate) trait Dialog: Debug {
-    /// The keys in the last row of the screen, the most useful first: `<enter> load  <back> close`.
+    /// Returns the keys for the last row of the screen, the most useful first: `<enter> load  <back> close`.
     fn footer(&self) -> &'static str;
 
     fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome;
 
-    /// A click on a row of its list.
+    /// Handles a click on a row of the list.
     fn click(&mut self, _row: usize) {}
 
-    /// A text was pasted; whether a field takes it.
+    /// Handles pasted text; returns `true` if a field accepts it.
     fn paste(&mut self, text: &str) -> bool;
 
-    /// An effect has ended: what becomes of the dialog where it asked for that, `None` where it did not. Relative paths start in
-    /// the directory.
+    /// Handles the end of an effect: the outcome if the dialog requested it, `None` if it did not. Relative paths start in the directory.
     fn answered(&mut self, _directory: &Path, _report: &EffectReport) -> Option<Outcome> {
         None
     }

@@ -1,4 +1,4 @@
-//! Edits of the scene: every one can be undone, is checked before it counts, and requests a new run.
+//! Edits of the scene. Each can be undone, is validated before it takes effect, and requests a new run.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use cmra_engine::model::scene::{Scene, SpringKind, Table};
 use cmra_engine::model::units::Bare;
 use cmra_engine::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
-/// Set a variable. `stepping` joins it with the steps just before.
+/// Sets a variable. `stepping` merges the edit with the preceding steps of the same variable.
 pub(crate) fn set(
     app: &mut App,
     index: usize,
@@ -33,7 +33,7 @@ pub(crate) fn set(
     let unit = app.pages.run.editor.unit(index);
     let shown = |scene: &Scene| shown_in(variable, scene, unit, 6);
     let label = format!("{} {} -> {}", variable.symbol, shown(old), shown(&scene));
-    // What was outside before is marked in the list; what comes to be outside is reported.
+    // Existing breaches are marked in the list; new breaches are reported.
     let before = envelope::of_scene(&app.scene);
     let breach = envelope::of_scene(&scene)
         .into_iter()
@@ -48,7 +48,7 @@ pub(crate) fn set(
     Ok(())
 }
 
-/// A scene with another value of a variable, or why it makes no sense.
+/// Returns a scene with another value of a variable, or the reason why it makes no sense.
 pub(crate) fn with(present: &Scene, variable: &Variable, value: Value) -> Result<Scene, String> {
     let mut scene = present.clone();
     let set = variable.set(&mut scene, value).and_then(|()| variables::validate(&scene));
@@ -62,14 +62,14 @@ pub(crate) fn with(present: &Scene, variable: &Variable, value: Value) -> Result
     Ok(scene)
 }
 
-/// Set a variable to what was typed: a value with its unit, a fraction, or a change of the old value.
+/// Sets a variable from typed text: a value with its unit, a fraction, or a change of the old value.
 pub(crate) fn read(app: &mut App, index: usize, text: &str) -> Result<(), String> {
     let unit = app.pages.run.editor.unit(index);
     let value = VARIABLES[index].parse(&app.scene, text, Bare::In(unit));
     set(app, index, value.map_err(|error| error.to_string())?, None)
 }
 
-/// Show a variable in the unit that was typed for it, as a part of the edit made since `before`.
+/// Displays a variable in the typed unit, as a part of the edit made since `before`.
 pub(crate) fn show_in_unit_of(app: &mut App, index: usize, text: &str, before: Snapshot) {
     app.pages.run.editor.show_in_unit_of(index, text);
     let after = app.snapshot();
@@ -85,10 +85,10 @@ pub(crate) fn show_in_unit_of(app: &mut App, index: usize, text: &str, before: S
     }
 }
 
-/// Make another scene the current one, as one edit.
+/// Replaces the scene, as one edit.
 pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping: Option<usize>) {
     let before = app.snapshot();
-    // Held arrows count from where they began.
+    // Steps of held arrow keys are relative to the first state.
     if app.history.extended(stepping).is_none() {
         app.keep_before(&before.scene);
     }
@@ -96,7 +96,7 @@ pub(crate) fn commit_scene(app: &mut App, scene: Scene, label: String, stepping:
     commit(app, before, label, stepping);
 }
 
-/// Make the design under a cursor the current scene, or say why there is none.
+/// Replaces the scene by the design under a cursor, or reports the reason why there is none.
 pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) {
     match design {
         Ok(design) if design.scene == *app.scene => {
@@ -110,7 +110,7 @@ pub(crate) fn load_design(app: &mut App, design: Result<LabelledScene, String>) 
     }
 }
 
-/// Make another scene current, compare it with another preset, and show its sweep so, as one edit.
+/// Replaces the scene and its base preset and shows the sweep as curves or a map, as one edit.
 pub(crate) fn load(app: &mut App, base: ReferencePreset, picture: ChartKind) {
     let before = app.snapshot();
     let label = format!("load {}", base.name);
@@ -121,7 +121,7 @@ pub(crate) fn load(app: &mut App, base: ReferencePreset, picture: ChartKind) {
     commit(app, before, label, None);
 }
 
-/// Notes that a session was opened, as one edit, and computes its pins.
+/// Records the opening of a session as one edit, and computes its pins.
 pub(crate) fn opened(app: &mut App, before: Snapshot, label: String) {
     commit(app, before, label, None);
     follow_pins(app);
@@ -138,7 +138,7 @@ fn commit(app: &mut App, before: Snapshot, label: String, stepping: Option<usize
 fn follow(app: &mut App, before: &Scene) {
     app.is_edited |= *app.scene != *before;
     if app.pages.run.editor.filter.is_empty() && !app.pages.run.editor.shows(&app.scene) {
-        // The variable means nothing any more: the nearest one in the list is selected.
+        // If the scene no longer uses the variable, select the nearest one in the list.
         let away = |index: &usize| index.abs_diff(app.pages.run.editor.selected);
         let nearest = app.pages.run.editor.listed(&app.scene).into_iter().min_by_key(away);
         app.pages.run.editor.selected = nearest.unwrap_or_default();
@@ -146,13 +146,13 @@ fn follow(app: &mut App, before: &Scene) {
     app.request(Effect::SaveSession);
 }
 
-/// Note what was changed since a moment, as one edit; `stepping` joins it with the steps just before.
+/// Records the changes since `before` as one edit; `stepping` merges it with the preceding steps.
 pub(crate) fn note(app: &mut App, before: Snapshot, label: String, stepping: Option<usize>) {
     let states = Box::new((before, app.snapshot()));
     app.history.push(Edit { label, states, stepping });
 }
 
-/// Make the change of an edit: what it left alone stays as it is now, and so do the results of pins.
+/// Applies the change of an edit. Unchanged parts and the results of pins keep their present state.
 fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     if from.pins != to.pins {
         let now = std::mem::take(&mut app.pins);
@@ -177,7 +177,7 @@ fn make(app: &mut App, from: &Snapshot, to: Snapshot) {
     }
 }
 
-/// Take the last edit back.
+/// Undoes the last edit.
 pub(crate) fn undo(app: &mut App) {
     let Some(at) = app.history.done.checked_sub(1) else {
         return app.report_progress("nothing to undo");
@@ -188,7 +188,7 @@ pub(crate) fn undo(app: &mut App) {
     make(app, &states.1, states.0);
 }
 
-/// Do the last undone edit again.
+/// Redoes the last undone edit.
 pub(crate) fn redo(app: &mut App) {
     let at = app.history.done;
     let Some(Edit { label, states, .. }) = app.history.edits.get(at).cloned() else {
@@ -199,7 +199,7 @@ pub(crate) fn redo(app: &mut App) {
     make(app, &states.0, states.1);
 }
 
-/// Pin a scene, in the order of the letters, as one edit.
+/// Pins a scene, in the order of the letters, as one edit.
 pub(crate) fn pin(app: &mut App, pin: Pin) {
     let (before, label) = (app.snapshot(), format!("pin {}", pin.label()));
     let at = app.pins.partition_point(|other| other.letter < pin.letter);
@@ -208,7 +208,7 @@ pub(crate) fn pin(app: &mut App, pin: Pin) {
     follow_pins(app);
 }
 
-/// Take a pin away, as one edit.
+/// Removes a pin, as one edit.
 pub(crate) fn unpin(app: &mut App, gone: &Pin) {
     let (before, label) = (app.snapshot(), format!("unpin {}", gone.label()));
     app.pins.retain(|pin| pin.letter != gone.letter);
@@ -223,7 +223,7 @@ fn follow_pins(app: &mut App) {
     app.request(Effect::SaveSession);
 }
 
-/// Reset the selected variable to the preset's value.
+/// Resets the selected variable to the preset's value.
 pub(crate) fn reset(app: &mut App) {
     let index = app.pages.run.editor.selected;
     let value = VARIABLES[index].value(&app.base.scene);
@@ -236,7 +236,7 @@ pub(crate) fn reset(app: &mut App) {
     finish(app, index, value, None);
 }
 
-/// Reset every variable to the preset's value.
+/// Resets every variable to the preset's value.
 pub(crate) fn reset_all(app: &mut App) {
     if !app.is_modified() {
         return app.report_progress("nothing differs from the preset");
@@ -247,7 +247,7 @@ pub(crate) fn reset_all(app: &mut App) {
     commit_scene(app, scene, label, None);
 }
 
-/// Step the selected variable: a number by its rule, a choice or switch to its neighbour.
+/// Steps the selected variable: a number by its rule, a choice or switch to its neighbour.
 pub(crate) fn step(app: &mut App, press: StepKey) {
     let index = app.pages.run.editor.selected;
     let variable = &VARIABLES[index];
@@ -262,7 +262,7 @@ pub(crate) fn step(app: &mut App, press: StepKey) {
     };
     let value = match (number.get)(scene) {
         Some(value) => {
-            // While the arrows go on, the step stays as it is.
+            // The step size is constant during repeated arrow keys.
             let plain = match app.pages.run.editor.stepped {
                 Some((same, decade)) if same == index => decade,
                 _ => value_steps::decade(variable, value),

@@ -1,4 +1,4 @@
-//! Edits that can be undone: the last thousand of the session, held arrow keys merged into one.
+//! Undo history: the last thousand edits of the session; held arrow keys are merged into one edit.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -9,45 +9,45 @@ use crate::tui::pages::search::state::Setup;
 use crate::tui::preset::ReferencePreset;
 use cmra_engine::model::scene::Scene;
 
-/// All that edits change, at one moment.
+/// Undoable state at a given time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Snapshot {
     pub scene: Arc<Scene>,
-    /// The preset it is compared with.
+    /// Preset with which the scene is compared.
     pub base: ReferencePreset,
-    /// The units that variables are shown in.
+    /// Display units of variables.
     pub units: BTreeMap<usize, &'static str>,
-    /// The setup of the Search tab.
+    /// Setup of the Search tab.
     pub search: Arc<Setup>,
-    /// Whether the Explore tab draws curves or a map.
+    /// Display of the Explore tab: curves or a map.
     pub picture: ChartKind,
-    /// The pinned scenes, without their results: those can be computed again.
+    /// Pinned scenes without their results, which can be recomputed.
     pub pins: Vec<Pin>,
 }
 
-/// Most edits that are kept, at some 1.5 kB each and 3 kB with eight pins: of more the oldest go.
+/// Maximum number of edits; the oldest are dropped. Each takes about 1.5 kB, 3 kB with eight pins.
 const EDITS_MAX: usize = 1000;
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
-    /// The label of the edit: `gamma 1 -> 1.25`.
+    /// Label of the edit: `gamma 1 -> 1.25`.
     pub label: String,
-    /// From one state to another.
+    /// States before and after the edit.
     pub states: Box<(Snapshot, Snapshot)>,
-    /// The variable that was stepped, by index into the table, while further steps still belong to it.
+    /// Stepped variable, by index into the table, while further steps merge with the edit.
     pub stepping: Option<usize>,
 }
 
-/// The edits of the session, oldest first; those from `done` on have been undone.
+/// Edits of the session, oldest first; edits from index `done` on are undone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct History {
     pub edits: Vec<Edit>,
-    /// How many of them are in force.
+    /// Number of edits in effect.
     pub done: usize,
 }
 
 impl History {
-    /// Add an edit; what had been undone is forgotten. A further step of the same variable extends the last edit.
+    /// Adds an edit and drops undone edits. A further step of the same variable extends the last edit.
     pub fn push(&mut self, edit: Edit) {
         self.edits.truncate(self.done);
         if let Some(last) = self.edits.last_mut()
@@ -63,13 +63,13 @@ impl History {
         self.done = self.edits.len();
     }
 
-    /// The state before the edit that a further step of this variable extends: held arrows count from where they began.
+    /// Returns the state before the edit that a further step of this variable extends.
     pub fn extended(&self, stepping: Option<usize>) -> Option<&Snapshot> {
         let last = self.edits.last()?;
         (stepping.is_some() && last.stepping == stepping).then_some(&last.states.0)
     }
 
-    /// Further steps start a new edit.
+    /// Ends merging: further steps start a new edit.
     pub fn commit(&mut self) {
         if let Some(last) = self.edits.last_mut() {
             last.stepping = None;

@@ -1,4 +1,4 @@
-//! The tasks of the background threads: requests, and what their reports do.
+//! Tasks of the background threads: requests, and handling of their reports.
 
 use std::mem::discriminant;
 use std::sync::Arc;
@@ -16,23 +16,23 @@ use cmra_engine::model::scene::Scene;
 use cmra_studies::study::context::Answer;
 use cmra_studies::study::parallel::cores;
 
-/// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
+/// Quiet time after an edit. A run that takes longer is replaced, and the displayed result is marked as old.
 const QUIET: Duration = Duration::from_millis(30);
 
-/// From this on, counted from its first report, a job is too long to be dropped without confirmation.
+/// Duration of a job, from its first report, above which it is discarded only after confirmation.
 pub(crate) const LONG: Duration = Duration::from_secs(5);
 
-/// Time of a study that is begun by looking at its page, s: with one thread and the 20 ms between two checks of a long piece it takes
-/// less than 0.2 s of processor time. The rest waits for a key.
+/// Time limit of a study that starts when its page is shown, s. With one thread and 20 ms between checks it takes less than 0.2 s of
+/// processor time. The rest is computed on request.
 pub(crate) const LOOK: Duration = Duration::from_millis(160);
 
-/// Time without a key after which a page computes what it shows at rest.
+/// Idle time after which a page computes its deferred results.
 const REST: Duration = Duration::from_millis(300);
 
-/// The message about a study that a person stopped.
+/// Message for a study that the user stopped.
 pub(crate) const CANCELLED: &str = "cancelled: partial results are shown, <run> runs again";
 
-/// After an edit: run at once when nothing is in flight, else when the edits have paused.
+/// Requests a run after an edit: immediately if no run is active, else after the quiet time.
 pub(crate) fn after_edit(app: &mut App) {
     await_quiet(app);
     if app.jobs.current.is_none() {
@@ -40,13 +40,13 @@ pub(crate) fn after_edit(app: &mut App) {
     }
 }
 
-/// Run the scene now, whatever is in flight.
+/// Runs the scene immediately, replacing an active run.
 pub(crate) fn run_now(app: &mut App) {
     await_quiet(app);
     submit(app);
 }
 
-/// From now on the quiet time is counted, after which the old result is called old.
+/// Starts the quiet time, after which the old result is marked as old.
 fn await_quiet(app: &mut App) {
     app.jobs.serial += 1;
     app.jobs.overdue = false;
@@ -59,7 +59,7 @@ fn submit(app: &mut App) {
     app.jobs.current = Some(task(app, Tab::Run, &scene, SceneRun(Slot::Current).into(), None));
 }
 
-/// Submit every pin that has neither result nor job.
+/// Submits every pin that has neither result nor job.
 pub(crate) fn submit_pins(app: &mut App) {
     for at in 0..app.pins.len() {
         let Pin { letter, scene, run: None, job: None, .. } = &app.pins[at] else { continue };
@@ -69,7 +69,7 @@ pub(crate) fn submit_pins(app: &mut App) {
     }
 }
 
-/// Runs the scene again by a key; a long run of it is ended only after a question.
+/// Runs the scene again on request; replaces a long run only after confirmation.
 pub(crate) fn rerun(app: &mut App, action: Action) {
     let id = app.jobs.current.as_ref().map(|job| job.id);
     if may_end(app, id, action) {
@@ -77,7 +77,7 @@ pub(crate) fn rerun(app: &mut App, action: Action) {
     }
 }
 
-/// Submits a study of the scene for the tab shown, as requested by a key.
+/// Submits a study of the scene for the shown tab, on request.
 pub(crate) fn study<S: RequestVariant + Into<StudyRequest>>(
     app: &mut App,
     action: Action,
@@ -86,7 +86,7 @@ pub(crate) fn study<S: RequestVariant + Into<StudyRequest>>(
     study_of(app, action, &Arc::clone(&app.scene), study);
 }
 
-/// Submits a study of another scene. The older one of its slot is replaced; a long one only after a question.
+/// Submits a study of another scene. Replaces the older study of its slot, a long one only after confirmation.
 pub(crate) fn study_of<S>(app: &mut App, action: Action, scene: &Arc<Scene>, study: S)
 where
     S: RequestVariant + Into<StudyRequest>,
@@ -98,7 +98,7 @@ where
     }
 }
 
-/// Submits several studies that a page shows together; one question stands for all of them.
+/// Submits several studies that a page shows together, with a single confirmation.
 pub(crate) fn studies(app: &mut App, action: Action, all: Vec<(Arc<Scene>, StudyRequest)>) {
     let slots = all.iter().filter_map(|(_, asked)| app.jobs.slot(app.tab, asked));
     let long = slots.map(|running| running.id).find(|id| app.jobs.is_long(*id));
@@ -109,7 +109,7 @@ pub(crate) fn studies(app: &mut App, action: Action, all: Vec<(Arc<Scene>, Study
     }
 }
 
-/// Submits a study of the scene because its page is shown. It has little time, a thread, and never ends a long one.
+/// Submits a study of the scene because its page is shown. It has a time limit and one thread, and does not replace a long study.
 pub(crate) fn look<S: RequestVariant + Into<StudyRequest>>(
     app: &mut App,
     time: Duration,
@@ -118,7 +118,7 @@ pub(crate) fn look<S: RequestVariant + Into<StudyRequest>>(
     look_at(app, time, &Arc::clone(&app.scene), study);
 }
 
-/// Starts a look at another scene.
+/// Submits a study of another scene because its page is shown, with this time limit.
 pub(crate) fn look_at<S>(app: &mut App, time: Duration, scene: &Arc<Scene>, study: S)
 where
     S: RequestVariant + Into<StudyRequest>,
@@ -130,20 +130,20 @@ where
     }
 }
 
-/// Begins a time of rest, after which the page computes.
+/// Starts the idle time, after which the page computes its deferred results.
 pub(crate) fn begin_rest(app: &mut App) {
     app.jobs.rest += 1;
     app.request(Effect::After(REST, Message::Rest(app.jobs.rest)));
 }
 
-/// Ends what was begun by looking: a key has been pressed.
+/// Cancels the studies that started when their page was shown, because a key was pressed.
 pub(crate) fn end_looks(app: &mut App) {
     let looks = app.jobs.studies.iter().filter(|running| running.is_look);
     let ends: Vec<Effect> = looks.map(|running| Effect::Cancel(running.id)).collect();
     app.effects.extend(ends);
 }
 
-/// Whether a job may be ended by this key: a long one only when the key is pressed again.
+/// Returns `true` if this key may cancel a job; a long job only if the key is repeated.
 pub(crate) fn may_end(app: &mut App, id: Option<u64>, action: Action) -> bool {
     let is_long = id.is_some_and(|id| app.jobs.is_long(id));
     if is_long && app.jobs.awaiting_confirmation != Some(action) {
@@ -167,7 +167,7 @@ fn begin(app: &mut App, scene: &Arc<Scene>, request: StudyRequest, budget: Optio
     app.jobs.studies.push(running);
 }
 
-/// Submit a task.
+/// Submits a task.
 fn task(
     app: &mut App,
     tab: Tab,
@@ -177,7 +177,7 @@ fn task(
 ) -> Running {
     app.jobs.last_id += 1;
     let (id, scene) = (app.jobs.last_id, Arc::clone(scene));
-    // A run cannot be divided.
+    // A run cannot be parallelised.
     let is_single = matches!(request, StudyRequest::Run(_)) || budget.is_some();
     let threads = if is_single { 1 } else { cores() };
     let page = Page(tab.index());
@@ -188,7 +188,7 @@ fn task(
     Running { id, tab, is_look, scene, request, points: None, elapsed: None, reached: None }
 }
 
-/// A report of a study, with the study as it is now.
+/// Updates the state of a study from a report; returns the study.
 fn study_report(app: &mut App, at: usize, body: &ReportBody) -> Running {
     if let ReportBody::Failed(text) = body {
         app.refuse(text);
@@ -203,7 +203,7 @@ fn study_report(app: &mut App, at: usize, body: &ReportBody) -> Running {
     running.clone()
 }
 
-/// The quiet time after an edit is over.
+/// Handles the end of the quiet time after an edit.
 pub(crate) fn run_due(app: &mut App, serial: u64) {
     let Some(job) = app.jobs.current.as_ref().filter(|_| serial == app.jobs.serial) else {
         return;
@@ -214,7 +214,7 @@ pub(crate) fn run_due(app: &mut App, serial: u64) {
     }
 }
 
-/// A report of a task; those of replaced ones are dropped. Gives the study that its page is to hear of.
+/// Handles the report of a task; ignores replaced tasks. Returns the study whose page handles the report.
 pub(crate) fn report(app: &mut App, report: TaskReport) -> Option<(Running, ReportBody)> {
     if report.body.is_last() {
         app.jobs.long.retain(|id| *id != report.id);
@@ -233,7 +233,7 @@ pub(crate) fn report(app: &mut App, report: TaskReport) -> Option<(Running, Repo
 fn run_report(app: &mut App, id: u64, body: ReportBody) {
     match body {
         ReportBody::Progress { progress: JobProgress::Time(t_s), elapsed } => {
-            // The first report says that the run takes a while.
+            // The first report indicates that the run takes a while.
             let begins = t_s == 0.0;
             if let Some(job) = &mut app.jobs.current {
                 job.reached = (!begins).then_some((t_s, elapsed));
@@ -251,7 +251,7 @@ fn run_report(app: &mut App, id: u64, body: ReportBody) {
         ReportBody::Failed(text) => {
             app.jobs.failure = Some(text.clone());
             app.refuse(text);
-            // The result of another scene would stand under this one, which has none.
+            // Remove the result of another scene, because the current scene has none.
             app.shown.take_if(|shown| shown.run.scene != app.scene);
         }
         ReportBody::Ended(Some(Answer { report: StudyResult::Run(run), elapsed, .. })) => {
@@ -275,7 +275,8 @@ fn show(app: &mut App, run: &Arc<Run>, elapsed: Option<Duration>) {
     let known = before.as_ref().map_or(&[][..], |shown| &shown.run.warnings);
     let is_known =
         |it: &&RunWarning| known.iter().any(|old| discriminant(old) == discriminant(*it));
-    // The status row has the new ones in a few words: their sentences are for the Log tab. What comes after the run stands there anyway.
+    // The status row shows new warnings briefly; the Log tab has the full sentences. Warnings about the motion after the run are always in
+    // the row.
     let is_later = |it: &&RunWarning| matches!(it, RunWarning::InterfaceRebound { .. });
     for warning in run.warnings.iter().filter(|it| !is_later(it) && !is_known(it)) {
         let text = app.keymap.shown(&warning.to_string());
@@ -290,7 +291,7 @@ fn pin(app: &mut App, at: usize, body: ReportBody) {
     }
     match body {
         ReportBody::Ended(Some(Answer { report: StudyResult::Run(run), .. })) => {
-            // A part would be taken for the result, and never computed again.
+            // Discard a cancelled run, which would be taken for the result and not recomputed.
             pin.run = Some(run).filter(|run| run.end != EndReason::Cancelled);
         }
         ReportBody::Failed(text) => {

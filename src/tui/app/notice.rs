@@ -1,4 +1,4 @@
-//! Messages to the person: the message row shows the newest, the Log tab keeps them all.
+//! Messages to the user: the message row shows the newest, the Log tab stores all.
 
 use cmra_studies::enumeration;
 
@@ -10,15 +10,15 @@ use cmra_engine::model::units::{fixed_significant, scientific};
 
 enumeration! {
     pub enum Severity in SeverityRow {
-        /// The mark in front of the text; colour is never the only channel.
+        /// Mark before the text, so that colour is not the only indication.
         mark: &'static str,
-        /// The word in the Log tab.
+        /// Keyword in the Log tab.
         word: &'static str,
         role: Role,
     }
-    /// Good to know.
+    /// Information.
     Note { mark: " ", word: "note", role: Role::Text }
-    /// Legal, yet worth a second look.
+    /// Legal, but may need attention.
     Warning { mark: "!", word: "warning", role: Role::Warning }
     /// Failed action.
     Error { mark: "error:", word: "error", role: Role::Error }
@@ -30,22 +30,22 @@ pub struct Notice {
     pub text: String,
 }
 
-/// A part of the status row: how serious, and the text.
+/// Part of the status row: severity and text.
 pub type StatusPart = (Severity, String);
 
 pub(crate) fn part(severity: Severity, text: impl Into<String>) -> StatusPart {
     (severity, text.into())
 }
 
-/// The words of a pane, and of its row of status, before anything was computed.
+/// Text of a pane and its status row before the first result.
 pub(crate) const NO_RESULTS: &str = "no results yet: press <run>";
 
-/// The words for results that belong to another scene or setup than the one on the screen.
+/// Returns the text for results of another scene or setup than the current one.
 pub(crate) fn old(whose: &str) -> String {
     format!("another {whose}'s results: press <run>")
 }
 
-/// Labels of checks, each once.
+/// Returns the distinct labels of checks.
 fn labels(checks: impl Iterator<Item = Check>) -> Vec<&'static str> {
     let mut labels: Vec<&str> = Vec::new();
     for label in checks.map(Check::label) {
@@ -56,17 +56,17 @@ fn labels(checks: impl Iterator<Item = Check>) -> Vec<&'static str> {
     labels
 }
 
-/// The checks of the model's validity that fail there.
+/// Returns the status part for failed validity checks at a place.
 pub(crate) fn outside(checks: impl Iterator<Item = Check>, place: &str) -> Option<StatusPart> {
     let labels = labels(checks);
     let text = format!("! validity{place}: {}", labels.join(", "));
     (!labels.is_empty()).then_some((Severity::Warning, text))
 }
 
-/// Labels of checks at the ends of axes that are named one by one.
+/// Maximum number of checks at the ends of axes that are named individually.
 const AT_ENDS_NAMED: usize = 3;
 
-/// The checks of the model's validity that fail at the ends of axes: many fail at those of wide ranges, and the Log tab has all.
+/// Returns the status part for validity checks that fail at the ends of axes. Wide axes fail many checks; the Log tab lists all.
 pub(crate) fn outside_at_ends(checks: impl Iterator<Item = Check>) -> Option<StatusPart> {
     let labels = labels(checks);
     let text = match labels[..] {
@@ -80,7 +80,7 @@ pub(crate) fn outside_at_ends(checks: impl Iterator<Item = Check>) -> Option<Sta
 }
 
 impl App {
-    /// The rules of the model's validity that the scene does not keep: by its run where that is there, with every plate struck.
+    /// Returns the breaches of the scene, including those of its run, if available, for all struck plates.
     pub(crate) fn breaches(&self) -> Vec<Breach> {
         let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.shows_old());
         run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run))
@@ -89,7 +89,7 @@ impl App {
     /// Formats the validity for the status row.
     pub(crate) fn validity_part(&self) -> Option<StatusPart> {
         let found = self.breaches();
-        // The status row of a run has the load of the interface already, with its number.
+        // The status row of a run already contains the interface load.
         let of_run = self.shows_runs();
         let is_shown = |check: &Check| *check == Check::Interface && of_run;
         let checks = found.iter().map(|breach| breach.check);
@@ -97,7 +97,7 @@ impl App {
     }
 }
 
-/// The first warning of a run in a few words, for the status row.
+/// Formats the first warning of a run briefly for the status row.
 pub(crate) fn demand(run: &Run) -> Option<String> {
     run.warnings.iter().find_map(|warning| match warning {
         RunWarning::InterfacePush { ratio, .. } if !ratio.is_finite() => {

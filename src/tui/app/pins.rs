@@ -1,4 +1,4 @@
-//! Runs on the screen: the current one, and those pinned beside it.
+//! Displayed runs: the current run and the pinned runs.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -6,21 +6,21 @@ use std::time::Duration;
 use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 
-/// The letters pins get, in order.
+/// Letters of pins, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
 
 #[derive(Clone, Debug)]
 pub struct DisplayedRun {
     pub run: Arc<Run>,
-    /// Wall-clock time of the computation; `None` for a part kept from a cancelled job.
+    /// Wall-clock time of the computation; `None` for a partial result of a cancelled job.
     pub elapsed: Option<Duration>,
 }
 
-/// A frozen scene with its result.
+/// Pinned scene with its result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pin {
     pub letter: char,
-    /// A few words: the preset, or what differs from it.
+    /// Short name: the preset, or the differences from it.
     pub name: String,
     pub scene: Arc<Scene>,
     pub run: Option<Arc<Run>>,
@@ -28,12 +28,12 @@ pub struct Pin {
 }
 
 impl Pin {
-    /// A scene that is pinned now, and has yet to be computed.
+    /// Creates a pin whose result is not yet computed.
     pub(crate) fn new(letter: char, name: String, scene: Arc<Scene>) -> Self {
         Self { letter, name, scene, run: None, job: None }
     }
 
-    /// `A: thesis-baseline`.
+    /// Returns the label: `A: thesis-baseline`.
     pub(crate) fn label(&self) -> String {
         format!("{}: {}", self.letter, self.name)
     }
@@ -41,12 +41,12 @@ impl Pin {
 
 #[derive(Clone, Copy, Debug)]
 pub struct RunView<'a> {
-    /// The pin's letter; `None` for the current run.
+    /// Letter of the pin; `None` for the current run.
     pub letter: Option<char>,
     /// Row in the table of runs; 0 is the current run.
     pub index: usize,
     pub name: &'a str,
     pub run: &'a Run,
-    /// Whether it belongs to an earlier scene than the one on the screen.
+    /// Whether the run belongs to an older scene than the current one.
     pub old: bool,
 }

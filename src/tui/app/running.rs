@@ -1,4 +1,4 @@
-//! The tasks that have not ended, and what has been found.
+//! Active tasks and cached results.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -9,25 +9,25 @@ use crate::worker::{Page, ReportBody};
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::context::{Answer, Reach};
 
-/// Cells of the bar of a study's progress, and the time from which on it is shown.
+/// Cells of the progress bar of a study, and the elapsed time from which it is shown.
 const GAUGE: usize = 8;
 const GAUGE_FROM: Duration = Duration::from_secs(1);
 
-/// A task that has not ended.
+/// Active task.
 #[derive(Clone, Debug)]
 pub struct Running {
     pub id: u64,
-    /// The tab that requested it.
+    /// Tab that requested the task.
     pub tab: Tab,
-    /// Whether opening its page started it.
+    /// Whether the task started because its page was shown.
     pub is_look: bool,
     pub scene: Arc<Scene>,
     pub request: StudyRequest,
-    /// Points done and in all, once known.
+    /// Computed and total number of points, if known.
     pub points: Option<(usize, usize)>,
-    /// Elapsed time at the last report of progress, once known.
+    /// Elapsed time at the last progress report, if known.
     pub elapsed: Option<Duration>,
-    /// Simulated time reached by a run, s, and the elapsed time at its report, once known.
+    /// Simulated time of a run, s, and the elapsed time at its report, if known.
     pub reached: Option<(f64, Duration)>,
 }
 
@@ -37,7 +37,7 @@ impl Running {
         slot(self.tab, &self.request) == slot(tab, request)
     }
 
-    /// `: 12 of 30 [###.....] 20 s left`; empty where nothing is known yet.
+    /// Formats the progress: `: 12 of 30 [###.....] 20 s left`; empty if unknown.
     pub fn counted(&self, of: &str, what: &str) -> String {
         let Some((done, total)) = self.points else { return String::new() };
         let done = done.min(total);
@@ -45,7 +45,7 @@ impl Running {
         format!(": {done} {of} {total}{what}{gauge}")
     }
 
-    /// The share that is done as a bar, and the time that the rest takes at the pace so far; `None` for what ends soon.
+    /// Formats the completed fraction as a bar, with the estimated remaining time; `None` if the task ends soon.
     fn gauge(&self, done: usize, total: usize) -> Option<String> {
         let elapsed = self.elapsed.filter(|it| *it >= GAUGE_FROM && done > 0)?;
         let full = done * GAUGE / total.max(1);
@@ -57,76 +57,76 @@ impl Running {
     }
 }
 
-/// The tasks submitted, and how the last run ended.
+/// Submitted tasks, and the end of the last run.
 #[derive(Clone, Debug, Default)]
 pub struct Jobs {
-    /// The highest number given so far.
+    /// Last assigned task number.
     pub last_id: u64,
-    /// Counts edits: a `RunDue` with an older number is out of date.
+    /// Serial number of the latest edit; a `RunDue` with an older number is outdated.
     pub serial: u64,
-    /// Counts the times of rest that have begun: a `Rest` with an older number is out of date.
+    /// Serial number of the latest idle time; a `Rest` with an older number is outdated.
     pub rest: u64,
-    /// The run of the scene on the screen.
+    /// Run of the current scene.
     pub current: Option<Running>,
     pub studies: Vec<Running>,
-    /// The quiet time after the last edit is over and its result has not landed.
+    /// Whether the quiet time after the last edit is over and its result is still missing.
     pub overdue: bool,
-    /// Tasks that have been running for so long that leaving asks first.
+    /// Long-running tasks, which need confirmation before the workbench quits.
     pub long: Vec<u64>,
     /// Action that waits for a confirmation; repeating it confirms.
     pub awaiting_confirmation: Option<Action>,
-    /// Why the last run gave no result.
+    /// Reason why the last run gave no result.
     pub failure: Option<String>,
 }
 
 impl Jobs {
-    /// The study of this type that has not ended, with its request.
+    /// Returns the active study of this type with its request.
     pub fn study<S: RequestVariant>(&self) -> Option<(&Running, &S)> {
         self.studies.iter().find_map(|running| Some((running, &**S::downcast(&running.request)?)))
     }
 
-    /// The study in the slot of a request by a tab.
+    /// Returns the active study in the slot of a tab's request.
     pub fn slot(&self, tab: Tab, request: &StudyRequest) -> Option<&Running> {
         self.studies.iter().find(|running| running.is_in_slot(tab, request))
     }
 
-    /// Forgets the study in the slot of a request: nothing that it reports is shown any more.
+    /// Removes the study in the slot of a request; its reports are ignored from now on.
     pub fn take_slot(&mut self, tab: Tab, request: &StudyRequest) {
         self.studies.retain(|running| !running.is_in_slot(tab, request));
     }
 
-    /// Forgets a study: nothing that it reports is shown any more.
+    /// Removes a study; its reports are ignored from now on.
     pub fn forget(&mut self, id: u64) {
         self.studies.retain(|running| running.id != id);
     }
 
-    /// Whether a job has been running for so long that it is ended only after a question.
+    /// Returns `true` if a job has run for so long that cancelling it needs confirmation.
     pub fn is_long(&self, id: u64) -> bool {
         self.long.contains(&id)
     }
 
-    /// The study of this type that has not ended.
+    /// Returns the active study of this type.
     pub fn running<S: RequestVariant>(&self) -> Option<&Running> {
         self.study::<S>().map(|(running, _)| running)
     }
 
-    /// Whether the result of a study of this type for a scene is neither kept nor under way.
+    /// Returns `true` if the result of a study of this type for a scene is neither cached nor being computed.
     pub fn lacks<S: RequestVariant, T>(&self, kept: &CachedResult<T>, scene: &Scene) -> bool {
         let is_coming = self.running::<S>().is_some_and(|running| *running.scene == *scene);
         !kept.is_settled(scene) && !is_coming
     }
 }
 
-/// The result of a study that a page keeps, as far as it is there; that of a study of no scene has the default scene.
+/// Cached result of a study, possibly partial. A study without a scene has the default scene.
 #[derive(Clone, Debug)]
 pub struct CachedResult<T> {
     pub scene: Arc<Scene>,
     pub request: Option<StudyRequest>,
     pub result: Option<Arc<T>>,
     pub reach: Reach,
-    /// Whether opening its page started it.
+    /// Whether the study started because its page was shown.
     pub is_look: bool,
-    /// Run time; `None` while more of it follows: it is neither complete nor stopped.
+    /// Run time; `None` while the study is active.
     pub elapsed: Option<Duration>,
 }
 
@@ -138,7 +138,7 @@ impl<T> Default for CachedResult<T> {
 }
 
 impl<T> CachedResult<T> {
-    /// Keeps the answer of a report, if it has this type; returns whether it did.
+    /// Stores the result of a report if it has this type; returns whether it has.
     pub(crate) fn keep(&mut self, running: &Running, news: &ReportBody) -> bool
     where
         T: ResultVariant,
@@ -150,27 +150,27 @@ impl<T> CachedResult<T> {
         true
     }
 
-    /// Whether all of it is there.
+    /// Returns `true` if the result is complete.
     pub fn is_complete(&self) -> bool {
         self.result.is_some() && self.reach.is_complete()
     }
 
-    /// Whether it belongs to another scene than this one.
+    /// Returns `true` if the result belongs to another scene.
     pub fn is_stale(&self, scene: &Scene) -> bool {
         self.result.is_some() && *self.scene != *scene
     }
 
-    /// Whether no more of it is computed by looking at its page: a study that a person stopped waits for the key that runs it again.
+    /// Returns `true` if showing the page does not continue the study. A study that the user stopped restarts on request only.
     pub fn is_over(&self) -> bool {
         self.elapsed.is_some() && (self.is_complete() || !self.is_look)
     }
 
-    /// Returns whether looking at the page computes no more of it: it is complete, or this time was used up.
+    /// Returns `true` if showing the page computes no more of the result: it is complete, or the time limit is used up.
     pub fn has_been_looked_at(&self, time: Duration) -> bool {
         self.elapsed.is_some_and(|took| self.is_over() || took >= time)
     }
 
-    /// Returns whether the result for a scene is settled.
+    /// Returns `true` if the result for a scene is final.
     pub fn is_settled(&self, scene: &Scene) -> bool {
         self.result.is_some() && self.is_over() && *self.scene == *scene
     }

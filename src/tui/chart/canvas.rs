@@ -1,18 +1,18 @@
-//! The dots of a plot: one, two or eight to a cell, each cell remembering whose dots it has.
+//! Dots of a plot: one, two or eight per cell, each cell with the owner of its dots.
 //!
-//! Coordinates run in dots, x to the right and y upward from the lower left corner of the lower left dot.
+//! Coordinates are in dots from the lower left corner of the lower left dot, x to the right and y upward.
 
 use crate::tui::theme::{GlyphSet, Role};
 use cmra_studies::report::chart::scale::whole_below;
 use cmra_studies::report::chart::{Curve, Emphasis, Mapping};
 
-/// The bits of a braille character, in rows of two dots: 1 4 / 2 5 / 3 6 / 7 8.
+/// Bits of a braille character, in rows of two dots: 1 4 / 2 5 / 3 6 / 7 8.
 const BRAILLE: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
 
-/// Characters that distinguish curves, the current run's first; none is used by axes, event lines or the crosshair alone.
+/// Markers of curves, the current run's first. Axes, event lines and the crosshair use none of them alone.
 pub const MARKERS: [char; 9] = ['*', 'o', '+', 'x', '#', '%', '@', '&', '$'];
 
-/// The role that colours it.
+/// Returns the role that determines the colour of a curve.
 pub(super) fn role(curve: &Curve<'_>) -> Role {
     match curve.emphasis {
         Emphasis::Faint | Emphasis::Stale => Role::Dim,
@@ -20,16 +20,16 @@ pub(super) fn role(curve: &Curve<'_>) -> Role {
     }
 }
 
-/// A place in dots.
+/// Position in dots.
 type Place = (f64, f64);
 
 pub(super) struct Canvas {
     glyphs: GlyphSet,
-    /// Cells across and down.
+    /// Number of columns and rows of cells.
     cells: (u16, u16),
     /// Dots of each cell, as bits: those of a braille character, or one for each row of dots from the top.
     dots: Vec<u8>,
-    /// Who drew last in each cell; meaningless where there are no dots.
+    /// Owner of the last dot in each cell; meaningless for cells without dots.
     owners: Vec<usize>,
 }
 
@@ -39,20 +39,20 @@ impl Canvas {
         Self { glyphs, cells: (width, height), dots: vec![0; count], owners: vec![0; count] }
     }
 
-    /// Dots across and upward.
+    /// Returns the number of dots, horizontally and vertically.
     pub(super) fn size(&self) -> (usize, usize) {
         let (across, down) = self.glyphs.dots();
         let size = |cells: u16, dots: u16| usize::from(cells) * usize::from(dots);
         (size(self.cells.0, across), size(self.cells.1, down))
     }
 
-    /// A position in cells from the middle of the first one, in dots.
+    /// Converts a position in cells from the centre of the first one to dots.
     pub(super) fn in_dots(&self, x: f64, y: f64) -> (f64, f64) {
         let (across, down) = self.glyphs.dots();
         ((x + 0.5) * f64::from(across), (y + 0.5) * f64::from(down))
     }
 
-    /// The middle of what the owner who drew last has in a column of cells: a row of cells from the top.
+    /// Returns the middle row, from the top, of the cells that an owner has in a column.
     pub(super) fn middle(&self, column: u16, owner: usize) -> Option<u16> {
         let is_own = |row: &u16| self.cell(column, *row).is_some_and(|cell| cell.0 == owner);
         let mut rows = (0..self.cells.1).filter(is_own);
@@ -60,7 +60,7 @@ impl Canvas {
         Some(u16::midpoint(top, rows.next_back().unwrap_or(top)))
     }
 
-    /// The owner of a cell (from the top) and its dots, if it has any.
+    /// Returns the owner and the character of a cell (row from the top); `None` for an empty cell.
     pub(super) fn cell(&self, column: u16, row: u16) -> Option<(usize, char)> {
         let index = usize::from(row) * usize::from(self.cells.0) + usize::from(column);
         let dots = *self.dots.get(index)?;
@@ -79,7 +79,7 @@ impl Canvas {
         }
     }
 
-    /// Sets the dot at whole coordinates; outside the grid nothing happens.
+    /// Sets the dot at integer coordinates; ignores dots outside the grid.
     pub(super) fn dot(&mut self, x: usize, y: usize, owner: usize) {
         let (width, height) = self.size();
         if x >= width || y >= height {
@@ -95,7 +95,7 @@ impl Canvas {
         self.owners[index] = owner;
     }
 
-    /// A straight line, as far as it lies in the grid.
+    /// Draws a straight line, clipped to the grid.
     pub(super) fn line(&mut self, from: (f64, f64), to: (f64, f64), owner: usize) {
         let (width, height) = self.size();
         let Some((from, to)) = clip(from, to, (width as f64, height as f64)) else {
@@ -107,11 +107,11 @@ impl Canvas {
             Some((x, y))
         };
         let Some((from, to)) = place(from).zip(place(to)) else { return };
-        // Bresenham's line, both ends drawn: one dot a column where it is flat, one a row where it is steep.
+        // Bresenham's line including both ends: one dot per column if flat, one dot per row if steep.
         let (dx, dy) = (from.0.abs_diff(to.0), from.1.abs_diff(to.1));
         let steps = dx.max(dy);
         for step in 0..=steps {
-            // Rounded to the nearest dot, halves away from the start.
+            // Round to the nearest dot, halves away from the start.
             let part = |from: usize, to: usize, length: usize| {
                 let by = (step * length + steps / 2).checked_div(steps).unwrap_or(0);
                 if to >= from { from + by } else { from - by }
@@ -122,7 +122,7 @@ impl Canvas {
     }
 }
 
-/// The part of a line inside `0..=size` (Liang and Barsky 1984), if any.
+/// Clips a line to `0..=size` (Liang and Barsky 1984); `None` if it lies outside.
 fn clip(from: (f64, f64), to: (f64, f64), size: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
@@ -145,7 +145,7 @@ fn clip(from: (f64, f64), to: (f64, f64), size: (f64, f64)) -> Option<((f64, f64
     (enter <= leave).then(|| (point(enter), point(leave)))
 }
 
-/// Draws a curve; its line breaks at points that have no place on the axes.
+/// Draws a curve; breaks its line at points that the axes cannot represent.
 pub(super) fn trace(
     curve: &Curve<'_>,
     owner: usize,
@@ -176,8 +176,8 @@ pub(super) fn trace(
     }
 }
 
-/// Where a curve enters and leaves a column of dots in which it has these points, and from where to where it reaches in it. A curve
-/// that only passes from one row of dots to the next gets one dot, or every step of a gentle slope would be two dots thick.
+/// Returns where a curve enters and leaves a column of dots with these points, and its vertical range there. A curve that passes from one
+/// row of dots to the next gets a single dot, because two would thicken every step of a gentle slope.
 fn through(points: &[Place]) -> (Place, Place, (f64, f64)) {
     let (first, last) = (points[0], points[points.len() - 1]);
     let low = points.iter().map(|point| point.1).fold(f64::INFINITY, f64::min);

@@ -27,10 +27,10 @@ use crate::tui::theme::{GlyphSet, Role, Theme, columns};
 use cmra_studies::report::chart::levels::BANDS_MAX;
 use cmra_studies::report::map::{Cell, Map, Tone};
 
-/// Values nearer to each other, relative to the contour's, are the same.
+/// Relative difference from the contour level below which values are treated as equal.
 const NOISE: f64 = 1e-9;
 
-/// The bands in characters, least first.
+/// Characters of the bands, in ascending order.
 const RAMP: [char; BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
 
 impl Draw for Map<'_> {
@@ -63,7 +63,7 @@ fn shown(map: &Map<'_>, layout: &Layout, at: Position) -> Cell {
     upward(map).cell(value).map_or(Cell::Empty, |y| map.cell(x, y.into()))
 }
 
-/// The points of a map upward: a row beyond them shows none.
+/// Returns the vertical mapping of a map's points.
 fn upward(map: &Map<'_>) -> Mapping {
     let count = u16::try_from(map.counts.1).unwrap_or(u16::MAX);
     Mapping::new(map.y.scale, map.y.view, count)
@@ -82,7 +82,7 @@ fn draw_bands(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer, theme: Theme)
     }
 }
 
-/// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
+/// Draws the contour: cells on the other side of the level than a neighbour, on the side nearer to the level.
 fn draw_contour(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
     let plot = layout.plot;
     let Some(level) = map.contour.as_ref().map(|contour| contour.0) else { return };
@@ -94,7 +94,7 @@ fn draw_contour(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
         let Some(here) = value(at) else { continue };
         let is_crossed = |other: f64| {
             let changes = (here < 0.0) != (other < 0.0);
-            // Where all values are the same but for rounding there is no line between them.
+            // Values that differ by rounding error only have no contour between them.
             changes && here.abs() <= other.abs() && (here - other).abs() > NOISE * level.abs()
         };
         let beside = [(-1, 0), (1, 0), (0, -1), (0, 1)].map(|(x, y)| at + Offset::new(x, y));
@@ -105,7 +105,7 @@ fn draw_contour(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
     }
 }
 
-/// Writes each label where its value is crossed, in a row of its own: of the places that have room the one nearest to the middle.
+/// Draws each label where its value is crossed, in a separate row, at the free position nearest to the middle.
 fn draw_labels(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
     let plot = layout.plot;
     let cross = map.cursor.map(|point| place(map, layout, point));
@@ -145,7 +145,7 @@ fn draw_labels(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the cursor: every other cell of its row and column, and a cross.
+/// Draws the cursor: a cross, and alternate cells of its row and column.
 fn draw_cursor(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
     let (Some(point), plot) = (map.cursor, layout.plot) else { return };
     let cross = place(map, layout, point);
@@ -160,13 +160,13 @@ fn draw_cursor(map: &Map<'_>, layout: &Layout, buffer: &mut Buffer) {
     put(buffer, cross, 'X', Style::new().add_modifier(Modifier::REVERSED | Modifier::BOLD));
 }
 
-/// The point that a cell shows along an axis of so many cells.
+/// Returns the point displayed in a cell of an axis.
 fn spread(cell: u16, cells: u16, count: usize) -> usize {
     let last = usize::from(cells.max(1)) - 1;
     rounded(usize::from(cell) * (count - 1), last).min(count - 1)
 }
 
-/// The cell of a point.
+/// Returns the cell of a point.
 fn place(map: &Map<'_>, layout: &Layout, (x, y): (usize, usize)) -> Position {
     let plot = layout.plot;
     let last = usize::from(plot.width.max(1)) - 1;
@@ -189,7 +189,7 @@ pub fn role(tone: Tone) -> Role {
     }
 }
 
-/// A band's character and style; also for the scale beside the map.
+/// Returns the character and style of a band, also for the scale beside the map.
 pub fn swatch(band: usize, bands: usize, theme: Theme) -> (char, Style) {
     let shade = shade(band, bands);
     let Some((colour, ink)) = theme.heat(shade) else {
@@ -199,7 +199,7 @@ pub fn swatch(band: usize, bands: usize, theme: Theme) -> (char, Style) {
     (symbol, Style::new().bg(colour).fg(ink))
 }
 
-/// The band's place in the ramp: few bands are spread over all of it.
+/// Returns the index of a band in the ramp; few bands are spread over the whole ramp.
 fn shade(band: usize, bands: usize) -> usize {
     let last = RAMP.len() - 1;
     if bands < 2 { last / 2 } else { rounded(band.min(bands - 1) * last, bands - 1) }
@@ -212,7 +212,7 @@ fn put(buffer: &mut Buffer, at: Position, symbol: char, style: Style) {
     }
 }
 
-/// A character over the map: the colour below stays, the ink is what can be read on it.
+/// Draws a character over the map: keeps the background and chooses a readable foreground.
 fn over(buffer: &mut Buffer, at: Position, symbol: char) {
     let Some(cell) = buffer.cell_mut(at) else { return };
     let below = cell.bg;

@@ -1,4 +1,4 @@
-//! Where the parts of a chart lie: legend row, labels, axes, plot. Pure arithmetic on rectangles.
+//! Layout of a chart: legend row, labels, axes, plot. Arithmetic on rectangles only.
 
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
@@ -11,31 +11,31 @@ use cmra_studies::report::chart::{
 };
 use cmra_studies::report::steps::{Step, decade};
 
-/// Room kept at the left for labels, so that the plot does not jump when "9" becomes "10".
+/// Minimum columns for labels at the left, so that the plot does not move when "9" becomes "10".
 const MIN_GUTTER: u16 = 3;
-/// Least width of a plot that leaves room for labels beside it.
+/// Minimum width of a plot with labels beside it.
 const MIN_PLOT_WIDTH: u16 = 8;
-/// Least heights inside the frame for: an axis, its labels, a legend row.
+/// Minimum heights inside the frame for an axis, its labels and a legend row.
 const AXIS_FROM: u16 = 3;
 const LABELS_FROM: u16 = 4;
 const LEGEND_ROW_FROM: u16 = 9;
-/// Least blank columns right of a plot: for the second half of the last label, and a blank.
+/// Minimum blank columns right of a plot: for the second half of the last label, and a blank.
 const MARGIN: u16 = 2;
 
-/// Where the parts of a chart lie, and how its values map to cells.
+/// Layout of a chart, and the mapping of its values to cells.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layout {
-    /// The cells of the curves.
+    /// Cells of the curves.
     pub plot: Rect,
-    /// Columns of the plot: the crosshair walks with this.
+    /// Columns of the plot, also used by the crosshair.
     pub x: Mapping,
     /// Rows of the plot, counted upward.
     pub y: Mapping,
     /// Columns for labels left of the left axis.
     pub gutter: u16,
-    /// Everything inside the frame.
+    /// Area inside the frame.
     pub(super) inner: Rect,
-    /// The row of the legend, when the title line cannot take it.
+    /// Row of the legend, if the title line has no room for it.
     pub(super) legend: Option<Rect>,
     pub(super) axis_left: Option<u16>,
     pub(super) axis_below: Option<u16>,
@@ -48,7 +48,7 @@ pub(super) fn frame_of(chart: &Chart<'_>, title: String) -> PaneFrame<'static> {
     PaneFrame::new(title).focused(chart.focused).frame(chart.frame)
 }
 
-/// Lays a chart out inside its frame; `legend_row` requests a row of its own for the legend.
+/// Computes the layout of a chart inside its frame; `legend_row` requests a separate row for the legend.
 pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout {
     let with_legend = legend_row && inner.height >= LEGEND_ROW_FROM;
     let top = u16::from(with_legend);
@@ -69,12 +69,12 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let has_left = inner.width >= gutter.saturating_add(1 + MIN_PLOT_WIDTH);
     let left = if has_left { gutter + 1 } else { 0 };
     let margin = match (is_stacked, has_left) {
-        // Its last label moves to the left.
+        // The last label moves to the left.
         (true, _) => 1,
         (false, true) => {
             let width = inner.width.saturating_sub(left + MARGIN);
             let label = chart.x.ticks(width, Along::Row).width();
-            // Labels must not eat the plot: a quarter of it at most.
+            // Labels take at most a quarter of the plot.
             (label.saturating_sub(1) / 2 + 1).clamp(MARGIN, MARGIN.max(width / 4))
         }
         (false, false) => 0,
@@ -85,7 +85,7 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
         width: inner.width.saturating_sub(left + margin),
         height,
     };
-    // The lines of stacked charts have the axis and its numbers.
+    // The border lines of stacked charts contain the axis and its labels.
     let line = match chart.frame {
         Frame::Boxed | Frame::Stacked { below: Below::Nothing, .. } => None,
         Frame::Stacked { .. } => Some(inner.bottom()),
@@ -106,17 +106,17 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     }
 }
 
-/// Stacked charts with fewer rows keep the greatest value in the top row.
+/// Number of rows below which stacked charts show the maximum in the top row.
 const LOW: u16 = 5;
-/// How far beyond the middle of the lowest row a value may lie, in rows, and how much longer than its values an axis may be.
+/// Maximum distance of a value beyond the centre of the lowest row, in rows, and maximum length of an axis relative to its values.
 const IN_LOWEST: f64 = 0.45;
 const LONGEST: f64 = 1.2;
-/// Parts of the range of values to which the value of the lowest row is rounded.
+/// Resolution of the value of the lowest row, as a fraction of the range.
 const PARTS: f64 = 20.0;
-/// Most digits of a label after its first.
+/// Maximum number of digits of a label after its first.
 const MAX_DIGITS: i32 = 12;
 
-/// The rows of a low chart: the greatest value on top, and zero in the middle of a row, or else a round number in the lowest one.
+/// Maps the rows of a low chart: the maximum on top, and zero at the centre of a row, else a round number in the lowest row.
 fn low(axis: &Axis<'_>, rows: u16) -> (Mapping, Ticks) {
     let (lo, hi) = (axis.view.lo(), axis.view.hi());
     let top = rows.saturating_sub(1);
@@ -135,7 +135,7 @@ fn low(axis: &Axis<'_>, rows: u16) -> (Mapping, Ticks) {
     let tick = |cell: u16, value: f64, digits: i32| {
         let digits = usize::try_from(digits.clamp(0, MAX_DIGITS)).unwrap_or(0);
         let short: f64 = format!("{value:.digits$e}").parse().unwrap_or(value);
-        // A minus before zero goes.
+        // Convert -0 to 0.
         Tick { cell, value, label: (short + 0.0).to_string() }
     };
     let (size, span) = (decade(hi.abs() * factor), decade(axis.view.span() * factor));
@@ -145,7 +145,7 @@ fn low(axis: &Axis<'_>, rows: u16) -> (Mapping, Ticks) {
     (map, Ticks { labelled, exponent: 0 })
 }
 
-/// Half rows from one label to the next.
+/// Returns the distance between labels in half rows.
 fn half_rows_apart(height: u16) -> u16 {
     match height {
         0..4 => 2,
@@ -160,7 +160,7 @@ fn map(axis: &Axis<'_>, cells: u16) -> Mapping {
     Mapping::new(axis.scale, axis.view, cells)
 }
 
-/// The parts of the title line.
+/// Parts of the title line.
 pub(super) struct Plan<'a> {
     pub(super) layout: Layout,
     pub(super) title: String,
@@ -168,7 +168,7 @@ pub(super) struct Plan<'a> {
     pub(super) legend: Line<'a>,
 }
 
-/// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own, where the chart is high enough.
+/// Plans the title line. It contains everything if that fits; else the legend gets its own row if the chart is high enough.
 pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'a> {
     let inner = frame_of(chart, String::new()).inner(area);
     let room = usize::from(area.width.saturating_sub(8));
@@ -185,12 +185,12 @@ pub(super) fn plan<'a>(chart: &'a Chart<'_>, area: Rect, theme: Theme) -> Plan<'
     }
     let layout = layout(chart, inner, !entries.is_empty());
     let (title, right) = (title_text(chart, &layout) + &hidden(chart), axis(&layout).into());
-    // The row begins a blank from the frame.
+    // The row begins one blank after the frame.
     let legend = whole(entries, usize::from(inner.width.saturating_sub(1)));
     Plan { layout, title, right, legend }
 }
 
-/// Lays out the title line of a chart in a box of several: title with number and unit, then legend and note if they fit.
+/// Plans the title line of a chart that shares a box: title with number and unit, then legend and note if they fit.
 fn stacked<'a>(
     chart: &'a Chart<'_>,
     layout: Layout,
@@ -215,7 +215,7 @@ fn stacked<'a>(
     Plan { layout, title, right: right.unwrap_or_default(), legend: Line::default() }
 }
 
-/// How many points a logarithmic axis cannot show, for the title.
+/// Describes how many points a logarithmic axis cannot represent, for the title.
 fn hidden(chart: &Chart<'_>) -> String {
     let points = chart.curves.iter().flat_map(|curve| curve.points.iter());
     let finite = points.filter(|(x, y)| x.is_finite() && y.is_finite());
@@ -229,7 +229,7 @@ fn title_text(chart: &Chart<'_>, layout: &Layout) -> String {
     chart.y.after(&chart.title, layout.y_ticks.exponent)
 }
 
-/// The marker and the words of each curve that has a label.
+/// Returns marker and label of each curve with a label.
 fn legend<'a>(chart: &'a Chart<'_>, theme: Theme) -> Vec<[Span<'a>; 2]> {
     let entry = |curve: &Curve<'_>| {
         let old = if curve.emphasis == Emphasis::Stale { " (old)" } else { "" };
@@ -240,7 +240,7 @@ fn legend<'a>(chart: &'a Chart<'_>, theme: Theme) -> Vec<[Span<'a>; 2]> {
     chart.curves.iter().filter(is_shown).map(entry).collect()
 }
 
-/// Entries of a legend, two blanks between them.
+/// Joins entries of a legend with two blanks.
 fn line<'a>(entries: impl IntoIterator<Item = [Span<'a>; 2]>) -> Line<'a> {
     let mut line = Line::default();
     for entry in entries {
@@ -260,7 +260,7 @@ fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {
     legend
 }
 
-/// As many whole entries of a legend as fit, and `..` where there are more: a number must not be cut.
+/// Returns as many complete entries of a legend as fit, and `..` if some are omitted. Numbers must not be cut.
 fn whole(mut entries: Vec<[Span<'_>; 2]>, room: usize) -> Line<'_> {
     let all = line(entries.clone());
     if all.width() <= room {

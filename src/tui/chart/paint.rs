@@ -1,4 +1,4 @@
-//! Puts a laid-out chart into cells: axes, reference and event lines, curves over them, the crosshair over all.
+//! Drawing of a chart's layout into cells: axes, reference and event lines, then curves, then the crosshair.
 
 use ratatui::buffer::Buffer;
 use ratatui::style::{Modifier, Style};
@@ -10,14 +10,14 @@ use crate::tui::theme::{GlyphSet, Role, Theme};
 use cmra_studies::report::chart::ticks::label_start;
 use cmra_studies::report::chart::{Chart, Curve, Emphasis, Frame, Mark};
 
-/// Vertical dotted line: an event.
+/// Character of vertical dotted lines (events).
 const EVENT: char = ':';
-/// Horizontal dotted line: a level.
+/// Character of horizontal dotted lines (levels).
 const LEVEL: char = '·';
 
-/// Columns from one marker of a curve to its next where curves differ by colour.
+/// Columns between markers of a curve if curves differ by colour.
 const MARKER_EVERY: usize = 18;
-/// How far the markers of one curve are shifted against those of the one before, so that they never meet.
+/// Shift of the markers of successive curves, in columns, so that they do not overlap.
 const MARKER_SHIFT: usize = 5;
 
 /// Draws everything inside the frame.
@@ -49,13 +49,13 @@ impl Painter<'_> {
         }
     }
 
-    /// Whether only a dotted line stands in a cell.
+    /// Returns `true` if a cell contains at most a dotted line.
     fn is_free(&self, at: (u16, u16), dotted: char) -> bool {
         let symbol = self.buffer.cell(at).map_or("", |cell| cell.symbol());
         symbol == " " || symbol.chars().eq([dotted])
     }
 
-    /// The row of the screen of a cell counted upward in the plot.
+    /// Returns the screen row of a plot cell counted upward.
     fn row(&self, cell: u16) -> u16 {
         self.layout.plot.bottom() - 1 - cell
     }
@@ -96,7 +96,7 @@ impl Painter<'_> {
         self.labels_below(self.layout.inner.left(), 0);
     }
 
-    /// The line below a stacked chart: numbers stand in it where the ticks of an axis would, and the unit at its right end.
+    /// Draws the line below a stacked chart, with numbers at the positions of ticks and the unit at the right end.
     fn axis_in_line(&mut self, y: u16) {
         let style = self.theme.style(Role::Border);
         if let Some(x) = self.layout.axis_left {
@@ -113,8 +113,8 @@ impl Painter<'_> {
         self.labels_below(self.layout.axis_left.map_or_else(|| inner.left(), |x| x + 1), taken);
     }
 
-    /// Writes labels from a column on, each centred under its tick, moved only as far as the frame, and what is taken at its right,
-    /// demand. Without room it is omitted; the tick stays.
+    /// Draws labels starting at a column, each centred under its tick, shifted if necessary to stay inside the frame and left of `taken`
+    /// columns. Omits labels without room but keeps their ticks.
     fn labels_below(&mut self, from: u16, taken: u16) {
         let Some(y) = self.layout.labels_below else { return };
         let (inner, style) = (self.layout.inner, self.theme.style(Role::Text));
@@ -144,7 +144,7 @@ impl Painter<'_> {
         }
     }
 
-    /// The tags of levels, each as far right as no curve runs through it; without such a place it is omitted.
+    /// Draws the tags of levels, each as far right as possible without meeting a curve; omits tags without room.
     fn level_tags(&mut self) {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
@@ -152,7 +152,7 @@ impl Painter<'_> {
             let Some(cell) = self.layout.y.cell(level.at) else { continue };
             let y = self.row(cell);
             let is_free = |x: u16| self.is_free((x, y), LEVEL);
-            // A blank keeps the tag clear of the dots.
+            // A blank separates the tag from the dots.
             let tag = format!(" {}", level.tag);
             let length = u16::try_from(Span::raw(&tag).width()).unwrap_or(u16::MAX);
             let starts = plot.left()..plot.right().saturating_sub(length.saturating_sub(1));
@@ -176,7 +176,7 @@ impl Painter<'_> {
         }
     }
 
-    /// The tags of events, each in the highest row in which no curve runs through it.
+    /// Draws the tags of events, each in the highest row that no curve passes.
     fn event_tags(&mut self) {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
@@ -187,12 +187,12 @@ impl Painter<'_> {
         tags.sort_by_key(|(x, _)| *x);
         tags.dedup_by_key(|(x, _)| *x);
         for (index, (x, tag)) in tags.iter().enumerate() {
-            // A blank before the next tag, unless the two are neighbours.
+            // Keep a blank before the next tag, unless the two are neighbours.
             let next = tags.get(index + 1);
             let end = next.map_or_else(|| plot.right(), |(next, _)| next.saturating_sub(1));
             let width = u16::try_from(Span::raw(*tag).width()).unwrap_or(u16::MAX);
-            // A word at the right end of the plot begins left of its event; one without room before the next is omitted: its first
-            // letters may stand for something else.
+            // A tag at the right end of the plot begins left of its event. A tag without room before the next one is omitted, because its
+            // first letters may have another meaning.
             let x = if next.is_none() { *x.min(&end.saturating_sub(width)) } else { *x };
             if width > 1 && (x < plot.x || x + width > end) {
                 continue;
@@ -235,7 +235,7 @@ impl Painter<'_> {
         self.letters();
     }
 
-    /// Points without a line between them: the curve's marker, whatever the characters of lines.
+    /// Draws points without lines: the marker of the curve, for every glyph set.
     fn letters(&mut self) {
         let plot = self.layout.plot;
         let crosshair = self.chart.crosshair.and_then(|x| self.layout.x.cell(x));
@@ -245,7 +245,7 @@ impl Painter<'_> {
             for (x, y) in curve.points.iter().filter(|_| curve.is_dotted()) {
                 let cell = self.layout.x.cell(*x).zip(self.layout.y.cell(*y));
                 let Some((column, up)) = cell else { continue };
-                // Faint points lie under everything but dotted lines.
+                // Faint points are below everything except dotted lines.
                 let at = (plot.x + column, self.row(up));
                 if is_faint && !(self.is_free(at, EVENT) || self.is_free(at, LEVEL)) {
                     continue;
@@ -264,7 +264,7 @@ impl Painter<'_> {
         if is_selected { style.add_modifier(Modifier::BOLD) } else { style }
     }
 
-    /// A line over everything; where it meets a curve, the curve's marker stands on it.
+    /// Draws the crosshair over everything, with the curves' markers at intersections.
     fn crosshair(&mut self, canvas: &Canvas) {
         let plot = self.layout.plot;
         let Some(column) = self.chart.crosshair.and_then(|x| self.layout.x.cell(x)) else {
@@ -284,7 +284,7 @@ impl Painter<'_> {
     }
 }
 
-/// Old curves first, the selected one last, the others as given.
+/// Returns the drawing order: old curves first, the selected curve last, others as given.
 fn drawing_order(curves: &[Curve<'_>]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..curves.len()).collect();
     order.sort_by_key(|at| curves[*at].emphasis as u8);
