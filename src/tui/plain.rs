@@ -1,4 +1,4 @@
-//! Pictures as plain text: what the workbench draws, for pipes, logs and screen readers.
+//! Pictures as plain text, as drawn by the workbench, for pipes, logs and screen readers.
 
 use std::fmt::Write as _;
 
@@ -10,14 +10,14 @@ use cmra_studies::report::chart::{Chart, Scale, Unit, ViewRange};
 use cmra_studies::report::map::Map;
 use cmra_studies::report::svg::Picture;
 
-/// Columns and rows.
+/// Number of columns and rows.
 pub(crate) type Size = (u16, u16);
 
-/// Rows of a chart and of a map on a page of 80 columns.
+/// Size of a chart and of a map on a page of 80 columns.
 const CHART: Size = (78, 16);
 pub(crate) const MAP: Size = (78, 26);
 
-/// A picture of at most this width.
+/// Draws a picture within this width.
 pub(crate) fn within(picture: &Picture, width: u16) -> String {
     match picture {
         Picture::Chart(it) => chart(it, (CHART.0.min(width), CHART.1), Theme::PLAIN),
@@ -25,12 +25,12 @@ pub(crate) fn within(picture: &Picture, width: u16) -> String {
     }
 }
 
-/// A chart; its vertical axis is named by its title.
+/// Draws a chart; its title names the vertical axis.
 pub(crate) fn chart(chart: &Chart<'_>, (width, height): Size, theme: Theme) -> String {
     chart.to_lines(width, height, theme).join("\n") + "\n"
 }
 
-/// A map, the key of its bands, and what its letters mean.
+/// Draws a map with the scale of its bands and the meanings of its letters.
 pub(crate) fn map(map: &Map<'_>, (width, height): Size) -> String {
     let title = format!("{}, up: {}", map.title, map.y.label).into();
     let drawn = Map { title, ..map.clone() };

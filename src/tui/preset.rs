@@ -1,4 +1,4 @@
-//! Scenes that can be loaded: presets, parts of libraries, and designs that a page has found.
+//! Loadable scenes: presets, parts of libraries, and designs found by a page.
 
 use std::sync::Arc;
 
@@ -7,11 +7,11 @@ use cmra_engine::model::library::Entry;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::{self, VariableError};
 
-/// The reference of the scene: the preset it was loaded from.
+/// Reference of the scene: the preset from which it was loaded.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReferencePreset {
     pub name: String,
-    /// Whether it is the user's own, in the data directory.
+    /// Whether the preset is the user's, in the data directory.
     pub is_mine: bool,
     pub scene: Arc<Scene>,
 }
@@ -19,16 +19,16 @@ pub struct ReferencePreset {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PresetEntry {
     pub name: String,
-    /// Where it comes from: `bundled`, `mine` or `recent`.
+    /// Origin of the preset: `bundled`, `mine` or `recent`.
     pub origin: &'static str,
     pub scene: Scene,
-    /// The comment block at the head of its file: source and what to expect.
+    /// Comment block at the head of the file: source and expected result.
     pub comment: String,
-    /// The entry of a library, where it is one: it changes a part of the present scene.
+    /// Library entry that changes a part of the present scene, if it is one.
     pub part: Option<Entry>,
-    /// The session that was kept, with the reference of its scene, where it is one.
+    /// Stored session with the reference of its scene, if it is one.
     pub session: Option<Box<(ReferencePreset, Session)>>,
-    /// Why its file cannot be read: then there is no scene to load.
+    /// Reason why the file cannot be read; there is no scene to load then.
     pub problem: Option<String>,
 }
 
@@ -47,12 +47,12 @@ impl PresetEntry {
         }
     }
 
-    /// The row of a file that cannot be read.
+    /// Creates the entry of a file that cannot be read.
     pub fn broken(name: String, problem: String) -> Self {
         Self { name, origin: "mine", problem: Some(problem), ..Self::default() }
     }
 
-    /// Converts it to the reference of edits.
+    /// Converts the entry to the reference of edits.
     pub(crate) fn base(self) -> ReferencePreset {
         ReferencePreset {
             name: self.name,
@@ -61,7 +61,7 @@ impl PresetEntry {
         }
     }
 
-    /// The scene it makes of the present one.
+    /// Returns the scene after applying the entry to the present one.
     pub fn scene_on(&self, present: &Scene) -> Result<Scene, VariableError> {
         let Some(part) = &self.part else { return Ok(self.scene.clone()) };
         let mut scene = present.clone();
@@ -71,7 +71,7 @@ impl PresetEntry {
     }
 }
 
-/// A scene that can be loaded or pinned, and what it is in words.
+/// Loadable or pinnable scene with its label.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LabelledScene {
     pub scene: Scene,

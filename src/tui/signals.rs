@@ -1,7 +1,7 @@
-//! Signals become entries of the loop's inbox, and the process ends in time even when the loop is stuck.
+//! Signal thread: converts signals to messages of the event loop, and ends the process in time if the loop is blocked.
 //!
-//! The loop can be stuck in a write to a terminal that takes no more bytes. So a signal to end the process is served by
-//! the loop when it can, and otherwise by this thread, which saves what the loop last handed it and leaves.
+//! A write to a terminal that accepts no bytes can block the loop. The loop handles a signal to end the process if it can. Otherwise this
+//! thread saves the last session state and ends the process.
 
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
@@ -16,20 +16,20 @@ use signal_hook::iterator::Signals;
 use super::event_loop::LoopEvent;
 use super::terminal;
 
-/// The signals that end a process by default and that it can handle: each would leave the terminal as it is.
+/// Signals that end a process by default and can be handled. Each would leave the terminal in its present mode.
 const ENDING: [i32; 10] =
     [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM, SIGPROF];
 
-/// How long the loop may take to leave by itself; then, how often and for how long what it waits to write is discarded.
+/// Maximum time for the loop to end; interval and number of attempts to discard its pending output afterwards.
 const PATIENCE: Duration = Duration::from_millis(600);
 const DISCARD_EVERY: Duration = Duration::from_millis(50);
 const DISCARDS: u32 = 12;
 
-/// The exit status where the terminal is gone, whether a signal said so or not.
+/// Exit status for a lost terminal, with or without a signal.
 pub(super) const HUNG_UP: u8 = 128 + 1;
 
-/// Start the thread. `last_resort` is called before it ends the process by itself, which it does not once what is returned has been
-/// dropped: the loop has left.
+/// Starts the thread. Calls `last_resort` before the thread ends the process. Dropping the returned value, when the loop has ended,
+/// prevents this.
 pub(super) fn spawn(
     inbox: Sender<LoopEvent>,
     last_resort: impl Fn() + Send + 'static,
@@ -54,7 +54,7 @@ pub(super) fn spawn(
     Ok(left)
 }
 
-/// Wait for the loop to leave. One that is stuck in a write to a terminal that takes no bytes is given room for what it writes.
+/// Waits for the loop to end. Discards pending output if the loop is blocked in a write to a terminal that accepts no bytes.
 fn has_left(loop_left: &mpsc::Receiver<()>) -> bool {
     let left_within =
         |patience| !matches!(loop_left.recv_timeout(patience), Err(RecvTimeoutError::Timeout));

@@ -1,4 +1,4 @@
-//! From the command line and the last session to the state the workbench starts with, and back to the session.
+//! Start-up: creates the initial state from the command line and the last session, and converts the state to a session.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -22,7 +22,7 @@ use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 use crate::tui::update;
 use cmra_engine::model::scene::Scene;
 
-/// The state to start with, and the session's file as it was found.
+/// Returns the initial state, and the fingerprint of the session file.
 pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, SessionFingerprint) {
     let detected = Theme::detect(environment);
     let theme = Theme { glyphs: options.glyphs.unwrap_or(detected.glyphs), ..detected };
@@ -81,7 +81,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, SessionFinge
     (app, loaded.known)
 }
 
-/// Take over keys, colours and characters of the configuration; what is refused is reported, and the usual ones stay.
+/// Applies keys, colours and characters of the configuration; reports invalid settings and keeps their defaults.
 fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     let config = match config::load(path) {
         Ok(config) => config,
@@ -116,7 +116,7 @@ fn configure(app: &mut App, path: &Path, glyphs: Option<GlyphSet>) {
     }
 }
 
-/// Keeps the last session whole where another start would lose something of it: pins, or an edited scene. Gives what to say of it.
+/// Stores the last session separately if another start would lose pins or an edited scene. Returns a message for the user.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     let base = base_named(last.preset.as_deref(), &last.scene, Some(paths));
     let untouched = *base.scene == scene_of_session(last, &base)
@@ -134,7 +134,7 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     })
 }
 
-/// A session in a few words: `cocked, 8 pinned runs`.
+/// Describes a session in a few words: `cocked, 8 pinned runs`.
 fn label(session: &Session) -> String {
     let name = session.preset.as_deref().unwrap_or("a scene");
     // A path is too long for a list.
@@ -142,7 +142,7 @@ fn label(session: &Session) -> String {
     format!("{name}{}", counted_pins(session.pins.len()))
 }
 
-/// A kept session in the list of presets.
+/// Returns the entry of a stored session in the list of presets.
 pub(super) fn entry_of_session(session: Session, paths: Option<&Paths>) -> PresetEntry {
     let base = base_named(session.preset.as_deref(), &session.scene, paths);
     PresetEntry {
@@ -154,10 +154,10 @@ pub(super) fn entry_of_session(session: Session, paths: Option<&Paths>) -> Prese
     }
 }
 
-/// The part of the state that the session file keeps.
+/// Returns the part of the state that the session file stores.
 pub(super) fn session(app: &App) -> Session {
     let detected = Theme::detect(environment);
-    // Only what a person chose: the next terminal may be able to show more, or less.
+    // Store only settings chosen by the user, because the next terminal may differ.
     let Settings { theme, .. } = &app.settings;
     let chosen = |word: &str, is_chosen: bool| is_chosen.then(|| word.to_owned());
     let view = View {
@@ -175,7 +175,7 @@ pub(super) fn session(app: &App) -> Session {
 }
 
 impl App {
-    /// The setups of Explore and Search as a session keeps them.
+    /// Returns the setups of Explore and Search for the session.
     pub fn setups(&self) -> session::Setup {
         let (explore, mut sweep) = (&self.pages.explore, sweep_of(&self.scene));
         let picture = session::Explore {
@@ -185,10 +185,10 @@ impl App {
         session::Setup { explore: Some(picture), search: Some(self.pages.search.setup.kept()) }
     }
 
-    /// Take over what was kept, as far as it still means something.
+    /// Restores stored setups, as far as they are still valid.
     pub fn restore_setups(&mut self, kept: session::Setup) {
         self.take_setups(kept);
-        // Restoring is no edit.
+        // Restoring is not an edit.
         (self.history, self.effects) = Default::default();
     }
 
@@ -202,7 +202,7 @@ impl App {
         self.pages.search.setup = Arc::new(search);
     }
 
-    /// Opens a session that was kept, whole, as one edit: its scene, its pins and its setups.
+    /// Opens a stored session as one edit: its scene, its pins and its setups.
     pub(crate) fn open_session(&mut self, (base, session): (ReferencePreset, Session)) {
         let before = self.snapshot();
         let label = format!("open {}", label(&session));
@@ -216,8 +216,8 @@ impl App {
     }
 }
 
-/// The name of what the scene came from. A path is kept whole: the next start may be in another directory, where a file of the
-/// same name is something else.
+/// Returns the name of the scene's preset. A path is stored in full, because the next start may be in another directory with another file
+/// of this name.
 fn kept_name(app: &App, base: &ReferencePreset) -> String {
     let name = &base.name;
     if !base.is_mine && preset::is_path(name) {
@@ -227,12 +227,12 @@ fn kept_name(app: &App, base: &ReferencePreset) -> String {
     }
 }
 
-/// A variable of the environment.
+/// Returns a variable of the environment.
 pub(super) fn environment(name: &str) -> Option<String> {
     std::env::var(name).ok().filter(|value| !value.is_empty())
 }
 
-/// The reference for edits of a preset.
+/// Converts a preset to the reference for edits.
 fn base_of(preset: Preset) -> ReferencePreset {
     ReferencePreset {
         is_mine: matches!(preset.origin, preset::Origin::Mine(_)),
@@ -241,7 +241,7 @@ fn base_of(preset: Preset) -> ReferencePreset {
     }
 }
 
-/// Every bundled preset can be read (a test reads them); the scene's defaults are those of the baseline in any case.
+/// Returns the baseline preset. A test checks that bundled presets can be read; the scene's defaults are the baseline in any case.
 fn baseline() -> ReferencePreset {
     preset::baseline().map_or_else(
         |_| ReferencePreset { name: BASELINE.to_owned(), is_mine: false, scene: Arc::default() },
@@ -249,7 +249,7 @@ fn baseline() -> ReferencePreset {
     )
 }
 
-/// The preset of this name that a scene came from; where it is gone, the scene itself.
+/// Returns the preset of this name; the scene itself if there is none.
 fn base_named(name: Option<&str>, scene: &Scene, paths: Option<&Paths>) -> ReferencePreset {
     name.and_then(|name| preset::resolve(name, paths).ok()).map_or_else(
         || ReferencePreset {
@@ -261,12 +261,12 @@ fn base_named(name: Option<&str>, scene: &Scene, paths: Option<&Paths>) -> Refer
     )
 }
 
-/// The session's scene with the title of what it came from: a copy was saved under another one.
+/// Returns the session's scene with the title of its preset, because a copy may have another title.
 fn scene_of_session(last: &Session, base: &ReferencePreset) -> Scene {
     Scene { title: base.scene.title.clone(), ..last.scene.clone() }
 }
 
-/// Take over what the session has, and say so.
+/// Restores the session and reports this.
 fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
     app.scene = Arc::new(scene_of_session(&last, &app.base));
     app.pins = pins_of(app, last.pins);
@@ -293,7 +293,7 @@ fn pins_of(app: &App, pins: Vec<(String, Scene)>) -> Vec<Pin> {
     LETTERS.into_iter().zip(pins).map(pin).collect()
 }
 
-/// `, 2 pinned runs`; empty where there is none.
+/// Formats the number of pins: `, 2 pinned runs`; empty for none.
 fn counted_pins(count: usize) -> String {
     match count {
         0 => String::new(),
@@ -322,7 +322,7 @@ mod tests {
         App::new(baseline(), Theme::detect(environment), PathBuf::new())
     }
 
-    /// Press keys; a line break is Enter.
+    /// Presses keys; a line break is Enter.
     fn press(app: &mut App, keys: &str) {
         for key in keys.chars() {
             let code = match key {
@@ -334,7 +334,7 @@ mod tests {
         }
     }
 
-    /// A figure is its sweep, whichever door it comes through.
+    /// A figure opens as its sweep, however it is opened.
     #[test]
     fn a_figure_of_the_command_line_opens_on_explore() {
         for (name, tab) in [
@@ -365,7 +365,7 @@ mod tests {
         press(&mut app, "4glgjjjjjj\n1..5\njjl");
         let kept = session(&app);
         assert!(kept.setup.explore.as_ref().is_some_and(|it| it.is_map), "{kept:?}");
-        // A variable that is held keeps its range.
+        // A constant variable keeps its range.
         let search = kept.setup.search.as_ref().expect("a setup");
         assert_eq!((&*search.seek, &*search.goal), ("k=8e6..9e6:65", "percent_of_baseline=45"));
         let bounds: Vec<&str> = search.bounds.iter().map(|it| &*it.0).collect();
@@ -381,7 +381,7 @@ mod tests {
         assert_eq!(session(&again), kept);
         let text = again.notice.expect("it says so").text;
         assert!(text.contains("modified, 1 pinned run"), "{text}");
-        // What the command line requests goes before what the session has.
+        // Command-line settings override those of the session.
         let mut fixed = state();
         restore(&mut fixed, kept, Some(GlyphSet::Ascii));
         assert_eq!(fixed.settings.theme.glyphs, state().settings.theme.glyphs);
@@ -424,7 +424,7 @@ mod tests {
         let mut last = Session { preset: Some("thesis-baseline".to_owned()), ..Session::default() };
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));
-        // Nothing in it that a preset does not have: nothing to keep.
+        // The session equals a preset: nothing to store.
         session::save(&paths.session_file(), &last, &mut SessionFingerprint::default(), &|| true)
             .unwrap();
         let (state, _) = app(FRESH, Some(&paths));
@@ -443,7 +443,7 @@ mod tests {
         assert_eq!(preset::resolve(kept[0].to_str().unwrap(), None).unwrap().scene, last.scene);
     }
 
-    /// Nine scenes are one session: it is one row of the list, which opens it whole, and of six sessions the last five are kept.
+    /// Nine scenes are one session: one row of the list, which opens all of them. Of six sessions the last five are stored.
     #[test]
     fn a_session_is_kept_and_opened_whole() {
         let place = tempfile::tempdir().unwrap();
@@ -477,7 +477,7 @@ mod tests {
         kept.sort_by(|a, b| a.scene.mass_ratio().total_cmp(&b.scene.mass_ratio()));
         let all = [200, 300, 400, 500, 600].map(|first| ratios(&session_of(first)));
         assert_eq!(kept.iter().map(ratios).collect::<Vec<_>>(), all);
-        // It opens whole, as one edit.
+        // Opens completely, as one edit.
         let (mut state, _) = app(FRESH, Some(&paths));
         let entry = entry_of_session(session_of(300), Some(&paths));
         assert_eq!((&*entry.name, entry.origin), ("thesis-baseline, 8 pinned runs", "recent"));

@@ -1,10 +1,9 @@
-//! The terminal: entering and leaving it, and one write per frame.
+//! Terminal: entering and leaving it, and one write per frame.
 //!
-//! Leaving must work from anywhere (return, panic, signal, suspension), so the little state it needs is global and
-//! [`restore`] may be called at any time, any number of times. A frame goes out as begin-synchronised-update, the changed
-//! cells, end, in one write; a frame without a change writes nothing. A frame may end in the one question that the terminal is
-//! ever asked: to report its status, which it does when all before has arrived.
-//! Knows nothing of what is drawn; how cells become bytes is in `encode`.
+//! Leaving must work from any context (return, panic, signal, suspension). Its small state is therefore global, and [`restore`] may be
+//! called at any time and repeatedly. A frame is a single write: begin synchronised update, changed cells, end. An unchanged frame writes
+//! nothing. A frame may end with a request for a status report, which the terminal answers after it has received the frame. The module does
+//! not depend on the content of frames; `encode` converts cells to bytes.
 
 pub(super) mod decode;
 mod encode;
@@ -31,55 +30,55 @@ use rustix::process::{Signal, getpgrp, getpid, kill_current_process_group, kill_
 use rustix::stdio::{stdin, stdout};
 use rustix::termios::{QueueSelector, tcflush};
 
-/// Whether the terminal is ours at present (raw, alternate screen).
+/// Whether the program controls the terminal (raw mode, alternate screen).
 static ENTERED: AtomicBool = AtomicBool::new(false);
 
-/// Held while the terminal is given back: another thread that ends the process waits for that, so many times as long as the terminal is
-/// waited for.
+/// Lock during the restoration of the terminal. Another thread that ends the process waits for it, at most this many times the short
+/// timeout.
 static RESTORING: Mutex<()> = Mutex::new(());
 const PATIENCE: usize = 5;
 
 static MOUSE: AtomicBool = AtomicBool::new(false);
 
-/// Reports of buttons and wheel, in the coordinates of SGR. crossterm's own sequence also requests every movement, which a slow
-/// line would have to carry for nothing.
+/// Enables reports of buttons and wheel in SGR coordinates. crossterm's own sequence also requests all movements, which would load a slow
+/// connection.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
 
-/// Asks for a status report (DSR); the answer is `ESC [ 0 n`.
+/// Requests a status report (DSR); the answer is `ESC [ 0 n`.
 const ASK: &[u8] = b"\x1b[5n";
 
-/// The end of a string (ST): a sequence whose end was discarded would swallow what follows.
+/// String terminator (ST). A sequence without its end would swallow the following output.
 const STRING_END: &[u8] = b"\x1b\\";
 
-/// How long a terminal that takes no bytes is waited for on leaving.
+/// Timeout for a terminal that accepts no bytes when leaving.
 const SHORT: Duration = Duration::from_millis(200);
 
-/// Size assumed where the terminal does not know its own.
+/// Assumed size if the terminal does not report its size.
 const UNKNOWN_SIZE: (u16, u16) = (80, 24);
 
-/// The largest part of a window that is drawn on. Where someone has set an absurd size, every cell of it would take memory.
+/// Maximum drawn size of a window; bounds the memory for cells.
 const LARGEST: (u16, u16) = (1000, 500);
 
-/// A place of the cursor, and whether it is shown there.
+/// Cursor position, and whether the cursor is visible.
 pub(crate) type Cursor = ((u16, u16), bool);
 
-/// A terminal that restores itself when dropped.
+/// Terminal that restores itself when dropped.
 pub(super) struct Guard {
-    /// Cells that the terminal shows.
+    /// Cells displayed by the terminal.
     shown: Buffer,
-    /// Where its cursor stands, and whether it is shown, as last sent.
+    /// Position and visibility of the cursor, as last sent.
     cursor: Option<Cursor>,
-    /// Bytes that go out with the next frame.
+    /// Bytes to be sent with the next frame.
     pending: Vec<u8>,
 }
 
 impl Guard {
-    /// Take over the terminal: raw mode, alternate screen, bracketed paste, hidden cursor.
+    /// Takes over the terminal: raw mode, alternate screen, bracketed paste, hidden cursor.
     pub(super) fn enter() -> io::Result<Self> {
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
-        // Dropped when anything below fails, which restores the terminal.
+        // Dropped if a later step fails, which restores the terminal.
         let mut guard = Self { shown: Buffer::default(), cursor: None, pending: Vec::new() };
         guard.shown.resize(area(size()?));
         discard_input();
@@ -87,7 +86,7 @@ impl Guard {
         Ok(guard)
     }
 
-    /// The beginning of the first frame. Where there is no alternate screen, that of the shell is cleared.
+    /// Queues the start of the first frame. Clears the shell's screen if there is no alternate screen.
     fn queue_entry(&mut self) -> io::Result<()> {
         queue!(self.pending, EnterAlternateScreen, SetAttribute(Attribute::Reset))?;
         queue!(self.pending, Clear(ClearType::All), EnableBracketedPaste, Hide)?;
@@ -98,8 +97,8 @@ impl Guard {
         Ok(())
     }
 
-    /// Draw one frame of a size in one write, with the question whether it has arrived if `asks`; `render` gives where the cursor is
-    /// to stand. Returns whether anything had changed.
+    /// Draws a frame of this size in one write, with a request for acknowledgement if `asks`; `render` returns the cursor. Returns whether
+    /// anything changed.
     pub(super) fn draw(
         &mut self,
         size: (u16, u16),
@@ -131,15 +130,15 @@ impl Guard {
         self.commit(asks)
     }
 
-    /// The next frame clears the screen and draws every cell.
+    /// Makes the next frame clear the screen and draw every cell.
     pub(super) fn redraw_all(&mut self) -> io::Result<()> {
         self.shown.reset();
         queue!(self.pending, Clear(ClearType::All))
     }
 
-    /// Take the terminal over again, after a suspension or after someone else may have changed its modes.
+    /// Takes the terminal over again, after a suspension or after another program may have changed its modes.
     pub(super) fn enter_again(&mut self) -> io::Result<()> {
-        // Another program may have changed the modes meanwhile: forget the saved ones, so that the present ones are restored.
+        // Another program may have changed the modes: discard the saved modes, so that the present ones are restored later.
         disable_raw_mode()?;
         enable_raw_mode()?;
         ENTERED.store(true, Ordering::SeqCst);
@@ -148,20 +147,20 @@ impl Guard {
         self.redraw_all()
     }
 
-    /// Capture the mouse, or leave it to the terminal's own selection.
+    /// Captures the mouse, or releases it for the terminal's own selection.
     pub(super) fn set_mouse(&mut self, on: bool) -> io::Result<()> {
         MOUSE.store(on, Ordering::SeqCst);
         self.pending.extend_from_slice(if on { MOUSE_ON } else { MOUSE_OFF });
         self.commit(false).map(drop)
     }
 
-    /// Send a sequence that draws nothing (the clipboard's).
+    /// Sends a sequence that draws nothing (clipboard).
     pub(super) fn send(&mut self, sequence: &impl crossterm::Command) -> io::Result<()> {
         queue!(self.pending, sequence)?;
         self.commit(false).map(drop)
     }
 
-    /// Write what has been collected, and the question; returns whether there was anything.
+    /// Writes the collected bytes and the request; returns whether there were any.
     fn commit(&mut self, asks: bool) -> io::Result<bool> {
         if self.pending.is_empty() {
             return Ok(false);
@@ -181,7 +180,7 @@ fn area((width, height): (u16, u16)) -> Rect {
     Rect::new(0, 0, width, height)
 }
 
-/// Columns and rows of the terminal that are drawn on.
+/// Returns the drawn columns and rows of the terminal.
 pub(super) fn size() -> io::Result<(u16, u16)> {
     let size = rustix::termios::tcgetwinsize(stdout())?;
     if size.ws_col == 0 || size.ws_row == 0 {
@@ -196,13 +195,13 @@ impl Drop for Guard {
     }
 }
 
-/// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone). A terminal that takes no
-/// bytes loses the frames on their way to it, so that there is room for the farewell.
+/// Restores the terminal as far as possible (it may be lost); idempotent, from any thread. If the terminal accepts no bytes, pending frames
+/// are discarded to make room for the final sequence.
 pub(super) fn restore() {
     let _one = (0..PATIENCE).find_map(|_| {
         let free = RESTORING.try_lock().ok();
         if free.is_none() {
-            // Waits, unless the terminal is gone.
+            // Waits, unless the terminal is lost.
             let _ = poll_stdout(PollFlags::empty(), Some(SHORT));
         }
         free
@@ -210,7 +209,7 @@ pub(super) fn restore() {
     if ENTERED.swap(false, Ordering::SeqCst) {
         let takes =
             || poll_stdout(PollFlags::OUT, Some(SHORT)).is_ok_and(|found| !found.is_empty());
-        // A thread that was stuck in a write, and goes on, fills the room again.
+        // A blocked writer that continues fills the buffer again.
         let has_room = (0..PATIENCE).any(|_| {
             let takes = takes();
             if !takes {
@@ -219,27 +218,26 @@ pub(super) fn restore() {
             takes
         });
         if has_room {
-            // If the terminal is gone, the error cannot be shown.
+            // If the terminal is lost, the error cannot be shown.
             let _ = write_all(&farewell());
         }
-        // What has come by now was for this program.
+        // Pending input was meant for this program.
         discard_input();
         let _ = disable_raw_mode();
     }
 }
 
-/// Discard what the terminal has not taken yet.
+/// Discards pending output.
 fn discard_output() {
     let _ = tcflush(stdout(), QueueSelector::OFlush);
 }
 
-/// Discard what has come and was not meant for this program: late answers to questions of another one, which would be taken for keys.
+/// Discards pending input: late answers to another program, which would be taken for keys.
 fn discard_input() {
     let _ = tcflush(stdin(), QueueSelector::IFlush);
 }
 
-/// Wait for bytes of the terminal, at most this long, and take them; `None` when the time has passed. The end of the terminal is an
-/// error.
+/// Reads bytes from the terminal, waiting at most this long; `None` on timeout. The end of the terminal is an error.
 pub(super) fn read(buffer: &mut [u8], patience: Option<Duration>) -> io::Result<Option<usize>> {
     let input = stdin();
     let patience = patience.and_then(|wait| Timespec::try_from(wait).ok());
@@ -259,8 +257,8 @@ pub(super) fn read(buffer: &mut [u8], patience: Option<Duration>) -> io::Result<
     }
 }
 
-/// Let a thread go on that is stuck in a write to a terminal that takes no bytes. The system makes room, but does not wake the
-/// writer: a signal does, and this one means no more than another look at the size.
+/// Unblocks a thread in a write to a terminal that accepts no bytes. Discarding output makes room but does not wake the writer; a signal
+/// does. The signal otherwise causes only a query of the size.
 pub(super) fn make_room() {
     discard_output();
     let _ = kill_process(getpid(), Signal::WINCH);
@@ -279,7 +277,7 @@ fn farewell() -> Vec<u8> {
         bytes,
         DisableBracketedPaste,
         SetAttribute(Attribute::Reset),
-        // Where there is no alternate screen, the prompt comes on an empty one.
+        // Without an alternate screen, the prompt appears on an empty screen.
         MoveTo(0, 0),
         Clear(ClearType::All),
         LeaveAlternateScreen,
@@ -288,51 +286,51 @@ fn farewell() -> Vec<u8> {
     bytes
 }
 
-/// Stop this process and those started with it (`cargo run`, for one) until continued, as the shell's own Ctrl-Z does. The signal
-/// cannot be caught, unlike that of Ctrl-Z, which this program handles itself.
+/// Stops this process and its process group (such as `cargo run`) until continued, as the shell's Ctrl-Z does. The signal cannot be caught,
+/// unlike that of Ctrl-Z, which this program handles itself.
 pub(super) fn stop() -> io::Result<()> {
     Ok(kill_current_process_group(Signal::STOP)?)
 }
 
-/// Whether a shell could continue this process: the leader of its group has a parent in the same session. Where it has none, the
-/// system ignores a request to stop by a terminal, and so does this program.
+/// Returns `true` if a shell can continue this process: the leader of its group has a parent in the same session. Otherwise the system
+/// ignores a stop request by a terminal, and so does this program.
 pub(super) fn could_be_continued() -> bool {
     let group = getpgrp().as_raw_nonzero().get();
-    // A system without `/proc` does not tell, nor does a leader that has ended: a shell is the usual case.
+    // Assume a shell on a system without `/proc`, and for a leader that has ended.
     relations(group).is_none_or(|(parent, session)| {
         relations(parent).is_some_and(|(_, other)| other == session)
     })
 }
 
-/// The parent and the session of a process; `None` where the system does not tell. Zero stands for a process outside of the container
-/// that this program runs in; `getsid` of rustix refuses that zero, so the numbers come from `/proc`.
+/// Returns the parent and the session of a process; `None` if the system does not provide them. Zero is a process outside the container of
+/// this program. `getsid` of rustix rejects this zero, so the numbers come from `/proc`.
 fn relations(process: i32) -> Option<(i32, i32)> {
     let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
-    // The name in parentheses may hold anything; state, parent, group and session follow it.
+    // The name in parentheses may contain any characters; state, parent, group and session follow it.
     let (_, rest) = stat.rsplit_once(')')?;
     let mut numbers = rest.split_whitespace().skip(1).map(str::parse);
     Some((numbers.next()?.ok()?, numbers.nth(1)?.ok()?))
 }
 
-/// Whether the terminal is ours at present.
+/// Returns `true` if the program controls the terminal.
 pub(super) fn is_entered() -> bool {
     ENTERED.load(Ordering::SeqCst)
 }
 
-/// Whether the other end of the terminal is gone.
+/// Returns `true` if the other end of the terminal is closed.
 pub(super) fn is_hung_up() -> bool {
-    // No event requested: only hang-ups and errors are reported.
+    // No event is requested: only hang-ups and errors are reported.
     poll_stdout(PollFlags::empty(), Some(Duration::ZERO)).is_ok_and(|found| !found.is_empty())
 }
 
-/// Write everything to the terminal, whatever mode others have put the descriptor in.
+/// Writes all bytes to the terminal, also if the descriptor is non-blocking.
 fn write_all(mut bytes: &[u8]) -> io::Result<()> {
     while !bytes.is_empty() {
         match rustix::io::write(stdout(), bytes) {
             Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
             Ok(written) => bytes = &bytes[written..],
             Err(Errno::INTR) => {}
-            // Someone who shares the terminal has made it non-blocking.
+            // Another user of the terminal has made it non-blocking.
             Err(Errno::AGAIN) => {
                 poll_stdout(PollFlags::OUT, None)?;
             }
@@ -342,7 +340,7 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Wait for events of the terminal, at most this long; gives those that have come, hang-ups and errors among them.
+/// Waits for events of the terminal, at most this long; returns the events, including hang-ups and errors.
 fn poll_stdout(wanted: PollFlags, patience: Option<Duration>) -> Result<PollFlags, Errno> {
     let out = stdout();
     let start = Instant::now();
@@ -352,7 +350,7 @@ fn poll_stdout(wanted: PollFlags, patience: Option<Duration>) -> Result<PollFlag
         let mut watched = [PollFd::new(&out, wanted)];
         match poll(&mut watched, left.as_ref()) {
             Ok(_) => return Ok(watched[0].revents()),
-            // A signal says nothing of the terminal.
+            // A signal is unrelated to the terminal.
             Err(Errno::INTR) => {}
             Err(error) => return Err(error),
         }

@@ -1,8 +1,7 @@
-//! The theme of the screen: characters ([`GlyphSet`]), colours ([`ColourDepth`]), and styles by role ([`Role`]).
+//! Theme of the screen: characters ([`GlyphSet`]), colours ([`ColourDepth`]), and styles by role ([`Role`]).
 //!
-//! Panes use roles, never colours. Foreground and background stay the terminal's own, so that light and dark both
-//! work. Knows ratatui; must not know what is shown. Colour is never the only channel: a role with a meaning also
-//! writes a character.
+//! Panes use roles, never colours. Normal text has the terminal's own foreground and background, so that light and dark themes work. The
+//! module does not depend on the content. Colour is never the only indication: a role with a meaning also has a character.
 
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::Span;
@@ -15,31 +14,31 @@ pub use colours::ColourDepth;
 pub use glyphs::{GlyphSet, ascii_pass};
 pub use pane::PaneFrame;
 
-/// The columns a text takes on the screen: a wide character takes two, a mark on another one none.
+/// Returns the width of a text in columns: two for a wide character, none for a combining mark.
 pub fn columns(text: &str) -> usize {
     if text.is_ascii() { text.len() } else { Span::raw(text).width() }
 }
 
-/// The role of a piece of the screen.
+/// Role of a part of the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Role {
     #[default]
     Text,
-    /// Less important than text: units, what is old, what is off.
+    /// Less important text: units, old results, inactive values.
     Dim,
     /// Titles of panes and tabs.
     Title,
-    /// The border and title of the pane that has the keys.
+    /// Border and title of the focused pane.
     Focus,
-    /// The selected row, tab or field: reverse video.
+    /// Selected row, tab or field: reverse video.
     Selection,
-    /// Something is wrong.
+    /// Error.
     Error,
-    /// Something a careful reader should know.
+    /// Warning.
     Warning,
-    /// Something good to know.
+    /// Information.
     Note,
-    /// A curve: 0 is the current run, 1 the first pinned one, and so on.
+    /// Curve: 0 is the current run, 1 the first pinned run, and so on.
     Curve(usize),
     /// Vertical lines at events, and reference lines.
     Event,
@@ -48,7 +47,7 @@ pub enum Role {
     Key,
 }
 
-/// Glyphs and colours together.
+/// Glyphs and colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Theme {
     pub glyphs: GlyphSet,
@@ -56,10 +55,10 @@ pub struct Theme {
 }
 
 impl Theme {
-    /// Pure ASCII without colour: what `--plain` prints.
+    /// Pure ASCII without colour, as printed by `--plain`.
     pub const PLAIN: Self = Self { glyphs: GlyphSet::Ascii, depth: ColourDepth::None };
 
-    /// The theme the environment requests; `env` looks up a variable of it.
+    /// Detects the theme from the environment; `env` looks up a variable.
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         Self { glyphs: GlyphSet::detect(&env), depth: ColourDepth::detect(&env) }
     }
@@ -71,7 +70,7 @@ impl Theme {
             Role::Text => plain,
             Role::Title | Role::Key | Role::Crosshair => bold,
             Role::Selection => plain.add_modifier(Modifier::REVERSED),
-            // `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.
+            // `NO_COLOR` leaves bold, reverse and underline, which every terminal can show.
             Role::Dim | Role::Border | Role::Event if self.is_plain() => plain,
             Role::Dim | Role::Border | Role::Event => plain.add_modifier(Modifier::DIM),
             Role::Focus => coloured(bold, colours::FOCUS.at(self.depth)),
@@ -86,14 +85,13 @@ impl Theme {
         }
     }
 
-    /// The style of a pane's title. Without colour the focused one is reversed: a bold border alone is easily missed.
+    /// Returns the style of a pane's title. Without colour the focused title is reversed, because a bold border is easily missed.
     pub fn title(self, focused: bool) -> Style {
         let style = self.style(if focused { Role::Focus } else { Role::Title });
         if focused && self.is_plain() { style.add_modifier(Modifier::REVERSED) } else { style }
     }
 
-    /// The colour of a heat map's shade, 0 the least of ten, and the ink that can be read on it; `None` where there are fewer
-    /// than 256 colours.
+    /// Returns the colour of a heat map's shade, 0 the smallest of ten, and a readable text colour; `None` for fewer than 256 colours.
     pub fn heat(self, shade: usize) -> Option<(Color, Color)> {
         (self.depth == ColourDepth::Ansi256).then(|| colours::heat(shade))
     }
@@ -128,8 +126,8 @@ mod tests {
         Role::Key,
     ];
 
-    /// The first locale variable that is set decides the characters. `TERM` decides the colours, at most those that every terminal of the
-    /// name has.
+    /// The first locale variable that is set determines the characters. `TERM` determines the colours, at most those common to all
+    /// terminals of that name.
     #[test]
     fn the_environment_says_what_a_terminal_shows() {
         use {ColourDepth as D, GlyphSet as G};

@@ -1,4 +1,4 @@
-//! The update of the state for each message, and its requests to the outside. No I/O, no clock.
+//! State update for each message, and the resulting effects. No I/O, no clock.
 
 pub(crate) mod act;
 
@@ -20,7 +20,7 @@ use crate::tui::widgets::input::{TEXT_MAX, TextField};
 use crate::tui::widgets::value_steps::Input;
 use cmra_engine::model::variables::VARIABLES;
 
-/// The first requests: a run of the scene and of the pins, and the list of presets.
+/// Returns the first effects: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
     jobs::run_now(app);
     jobs::submit_pins(app);
@@ -29,7 +29,7 @@ pub fn start(app: &mut App) -> Vec<Effect> {
     std::mem::take(&mut app.effects)
 }
 
-/// Change the state by a message; gives what the outside is to do.
+/// Updates the state with a message; returns the effects to perform.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     let picture = app.picture();
     let is_by_person = matches!(
@@ -78,7 +78,7 @@ fn take(app: &mut App, message: Message) {
     }
 }
 
-/// Alt and a key is how a terminal sends an Esc with the next key right behind it.
+/// Handles Alt and a key, which a terminal sends for Esc directly followed by a key.
 fn keys(app: &mut App, key: KeyEvent) {
     jobs::end_looks(app);
     if !key.modifiers.contains(KeyModifiers::ALT) {
@@ -88,7 +88,7 @@ fn keys(app: &mut App, key: KeyEvent) {
     press(app, KeyEvent::new(key.code, key.modifiers - KeyModifiers::ALT));
 }
 
-/// The text that is typed into where no dialog is open, if there is one.
+/// Returns the edited text if no dialog is open; `None` without one.
 fn open_text(app: &mut App) -> Option<&mut TextField> {
     let (ActiveInput::Field(text) | ActiveInput::Find(text) | ActiveInput::Place(text)) =
         app.typing.as_mut()?;
@@ -98,7 +98,7 @@ fn open_text(app: &mut App) -> Option<&mut TextField> {
 fn press(app: &mut App, key: KeyEvent) {
     app.notice = None;
     let action = app.keymap.action(key);
-    // A key ends the playing; the two that are for this do nothing else.
+    // Every key ends the animation; `Back` and `Play` have no other effect then.
     if app.stop_playing() && matches!(action, Some(Action::Back | Action::Play)) {
         return;
     }
@@ -106,7 +106,7 @@ fn press(app: &mut App, key: KeyEvent) {
         return;
     }
     if app.layout().body.is_none() {
-        // On a screen too small to show anything, keys only quit: values that cannot be seen are not edited.
+        // On a screen that is too small, keys only quit, because edited values would be invisible.
         if action == Some(Action::Quit) {
             act::act(app, Action::Quit);
         }
@@ -131,7 +131,7 @@ fn press(app: &mut App, key: KeyEvent) {
     act::does_nothing(app, &Key::from_event(key).label());
 }
 
-/// Pasted text goes into the open field, without line breaks and control characters; else it is ignored with a note.
+/// Inserts pasted text into the open field, without line breaks and control characters; otherwise ignores it with a note.
 fn paste(app: &mut App, text: &str) {
     app.notice = None;
     let clean: String =
@@ -153,18 +153,18 @@ fn paste(app: &mut App, text: &str) {
     }
 }
 
-/// Let the dialog on top do something, and what follows.
+/// Runs a function on the open dialog and handles the outcome.
 fn in_dialog(app: &mut App, does: impl FnOnce(&mut dyn Dialog, &mut App) -> Outcome) {
     let Some(mut dialog) = app.dialog.take() else { return };
     match does(&mut *dialog, app) {
-        // It may have opened another one.
+        // The dialog may have opened another one.
         Outcome::Stays if app.dialog.is_none() => app.dialog = Some(dialog),
         Outcome::Stays | Outcome::Closes => {}
         Outcome::Calls(call) => act::call(app, call),
     }
 }
 
-/// Keys that do the same with a field or dialog open.
+/// Handles keys with the same effect in a field or dialog.
 fn everywhere(app: &mut App, action: Option<Action>) -> bool {
     match action {
         Some(Action::Cancel)
@@ -202,7 +202,7 @@ pub(crate) fn in_field(app: &mut App, key: KeyEvent) {
     }
 }
 
-/// Take the text; one that is refused stays, with the reason, and nothing else changes.
+/// Applies the typed text. A rejected text remains in the field with the reason; nothing else changes.
 fn commit(app: &mut App) {
     let Some(mut field) = app.field().cloned() else { return };
     app.typing = None;
@@ -222,7 +222,7 @@ fn commit(app: &mut App) {
     }
 }
 
-/// A key while the place of the crosshair is typed; one that is refused stays, with the reason.
+/// Handles a key in the field of the crosshair position. A rejected text remains with the reason.
 fn in_place(app: &mut App, key: KeyEvent) {
     match key.code {
         KeyCode::Esc => app.typing = None,
@@ -245,7 +245,7 @@ fn in_place(app: &mut App, key: KeyEvent) {
     }
 }
 
-/// Open the field, with the text the list is filtered by.
+/// Opens the search field with the present filter.
 pub(crate) fn open_find(app: &mut App) {
     let page = pages::page(app.tab);
     let Some(text) = page.filter(app).map(|filter| filter.clone()) else {
@@ -253,11 +253,11 @@ pub(crate) fn open_find(app: &mut App) {
             "<find> works in the variables, the claims and the log; <palette> elsewhere",
         );
     };
-    // A new text replaces the old one.
+    // Typing replaces the old text.
     app.typing = Some(ActiveInput::Find(TextField::selected(text)));
 }
 
-/// A key while it is open: the list follows every character.
+/// Handles a key in the search field; the list is filtered after each character.
 pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
     match key.code {
         KeyCode::Esc => {
@@ -275,7 +275,7 @@ pub(crate) fn in_find(app: &mut App, key: KeyEvent) {
     }
 }
 
-/// Show what matches the text in the field.
+/// Filters the list by the text in the field.
 pub(crate) fn follow(app: &mut App) {
     let Some(field) = app.find() else { return };
     let text = field.value().trim().to_owned();
@@ -287,18 +287,18 @@ pub(crate) fn follow(app: &mut App) {
     }
 }
 
-/// Whether the rows of the pane that has the keys are filtered.
+/// Returns `true` if the rows of the focused pane are filtered.
 fn is_filtered(app: &mut App) -> bool {
     let filter = pages::page(app.tab).filter(app);
     filter.is_some_and(|filter| !filter.is_empty())
 }
 
-/// Whether no row of the pane that has the keys matches its filter.
+/// Returns `true` if no row of the focused pane matches its filter.
 pub(crate) fn matches_nothing(app: &mut App) -> bool {
     is_filtered(app) && pages::page(app.tab).rows(app).is_some_and(|rows| rows.count == 0)
 }
 
-/// The selection is on a row that the filter shows, also where the rows have changed.
+/// Moves the selection to a visible row if the filter or the rows have changed.
 fn keep_listed(app: &mut App) {
     let page = pages::page(app.tab);
     if is_filtered(app)
@@ -309,7 +309,7 @@ fn keep_listed(app: &mut App) {
     }
 }
 
-/// Take a filter off the pane that has the keys; whether there was one.
+/// Removes the filter of the focused pane; returns whether there was one.
 pub(crate) fn clear(app: &mut App) -> bool {
     let filter = pages::page(app.tab).filter(app);
     filter.is_some_and(|filter| !std::mem::take(filter).is_empty())
@@ -324,7 +324,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
         }
         return;
     }
-    // What is being typed is not taken away by a click.
+    // A click does not discard typed text.
     if app.typing.is_some() {
         return app.report_progress("a field is open: Enter takes it, Esc leaves it as it was");
     }
@@ -343,7 +343,7 @@ pub(crate) fn click(app: &mut App, target: Target) {
     }
 }
 
-/// The wheel, upward or downward, over something or over nothing in particular.
+/// Handles the wheel, upward or downward, over a target or elsewhere.
 pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     if app.typing.is_some() {
         return;
@@ -359,14 +359,14 @@ pub(crate) fn wheel(app: &mut App, up: bool, target: Option<Target>) {
     }
 }
 
-/// An effect has been carried out, or has failed: the dialog that asked for it hears of it first.
+/// Handles the end of an effect, first in the dialog that requested it.
 pub(crate) fn done(app: &mut App, report: EffectReport) {
     let dialog = app.dialog.as_mut();
     let outcome = dialog.and_then(|dialog| dialog.answered(&app.files.directory, &report));
     if outcome == Some(Outcome::Closes) {
         app.dialog = None;
     }
-    // What it asked for stands in the dialog; meanwhile another one may have been opened.
+    // The dialog shows the result; another dialog may have been opened meanwhile.
     let is_heard = outcome.is_some();
     match report {
         EffectReport::Saved(name, ExportOutcome::Written(files)) => saved(app, name, &files),
@@ -393,7 +393,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
     }
 }
 
-/// Reports what quitting would lose, and asks before quitting.
+/// Handles the result of saving the session: warns what quitting would lose and requires a confirmation.
 pub(crate) fn session(app: &mut App, kept: &Result<(), String>) {
     match kept {
         Ok(()) => app.report_progress("the session is kept again"),

@@ -1,4 +1,4 @@
-//! The screen: five regions, panes, and a dialog on top. Reads the state, changes nothing.
+//! Screen: five regions, panes, and a dialog on top. Reads the state and does not change it.
 
 mod message;
 
@@ -16,8 +16,8 @@ use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::SMALLEST;
 use crate::tui::widgets::text::{self, clip, columns};
 
-/// Draws the screen into a buffer of its size; gives where the terminal's cursor is to stand, and whether it is shown: in a field it
-/// is; on the selected row it is hidden, and a screen reader follows it.
+/// Draws the screen into a buffer of its size. Returns the position and visibility of the cursor: visible in a field; hidden on the
+/// selected row, where a screen reader follows it.
 pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
     let area = buffer.area;
     let mut canvas = Canvas::new(buffer, app.settings.theme);
@@ -30,7 +30,7 @@ pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
     cursor
 }
 
-/// The target at a column and a row of the screen; `None` where a click has no effect.
+/// Returns the target at a column and a row of the screen; `None` if a click has no effect.
 pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     let screen = Rect::new(0, 0, app.size.0, app.size.1);
     let mut buffer = Buffer::empty(screen);
@@ -52,7 +52,7 @@ fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some(dialog) = &app.dialog {
         dialog.draw(app, area, canvas);
     }
-    // On top of a dialog, too: it may say in more lines than the area has why that refused.
+    // Also on top of a dialog, because the reason of a rejected text may exceed the area.
     message(app, layout.message, canvas);
 }
 
@@ -67,7 +67,7 @@ fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// The keys that are of use now, as many as fit.
+/// Draws as many of the useful keys as fit.
 fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some(field) = app.find().filter(|_| app.dialog.is_none()) {
         let lead = format!("/ find in {}: ", pages::spec(app.pane()).label);
@@ -93,7 +93,7 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     };
     let last = keys_of(app, last);
     let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + GAP + 1;
-    // Nothing stands behind the last one.
+    // No gap after the last key.
     let mut room = (area.width + GAP - 1).saturating_sub(last.iter().map(size).sum());
     let fits = |entry: &(String, String)| {
         let has_room = size(entry) <= room;
@@ -109,7 +109,7 @@ fn footer(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_line(area, &Line::from(spans));
 }
 
-/// A field in the footer between what stands before it and the keys that end it.
+/// Draws a field in the footer between its label and the keys that close it.
 fn typed(lead: &str, hint: &str, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
     let start = canvas.put(area, (1, 0), lead, Role::Key);
     let room = area.width.saturating_sub(start + columns(hint) + 2);
@@ -118,17 +118,17 @@ fn typed(lead: &str, hint: &str, field: &TextField, area: Rect, canvas: &mut Can
     canvas.put(area, (hint_at, 0), hint, Role::Dim);
 }
 
-/// The unit of a bare number, and what else may be written.
+/// Describes the unit of a bare number, and other allowed notation.
 fn unit_of_bare(unit: &str) -> String {
     let alone =
         if unit.is_empty() { String::new() } else { format!("  a number alone is in {unit}") };
     format!("{alone}  also 1/3 *2 +5%")
 }
 
-/// While a text is typed.
+/// Keys while a text is edited.
 const WORD: &str = "<enter> ok  <back> old value  Up/Down ok and move";
 
-/// The keys of a footer, each with a word or two for what it does: `<enter> load  <back> close`.
+/// Returns the keys of a footer with their labels: `<enter> load  <back> close`.
 fn keys_of(app: &App, footer: &str) -> Vec<(String, String)> {
     let footer = app.keymap.shown(footer);
     let entries = footer.split("  ").filter_map(|entry| entry.split_once(' '));
@@ -138,12 +138,12 @@ fn keys_of(app: &App, footer: &str) -> Vec<(String, String)> {
 /// Columns between two keys of the footer.
 const GAP: u16 = 2;
 
-/// The keys of every pane that are of most use, and those that stand at the end.
+/// Most useful keys of all panes, and the last keys of the footer.
 const COMMON: &str =
     "<palette> find  <next-pane> pane  <presets> presets  <export> export  <undo> undo";
 const LAST: &str = "<help> keys  <quit> quit";
 
-/// The keys of the pane, the most useful first, then those of every pane.
+/// Returns the keys of the pane, the most useful first, then those of all panes.
 fn from_table(app: &App) -> Vec<(String, String)> {
     let page = pages::page(app.tab);
     let is_shown = |row: &&PaneKey| !row.short.is_empty() && page.is_of_use(app, row.action);
@@ -158,9 +158,9 @@ fn from_table(app: &App) -> Vec<(String, String)> {
     entries
 }
 
-/// Tabs at the left; preset and whether it is modified at the right.
+/// Draws the title row: tabs at the left; preset and whether it is modified at the right.
 pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    // No column is left free on the narrowest screen.
+    // Use all columns on the narrowest screen.
     let mut column = u16::from(area.width > SMALLEST.0);
     for tab in Tab::ALL {
         let (title, target) = (tab.title(&app.keymap), Target::Tab(tab));
@@ -176,7 +176,7 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put(area, (start, 0), &text, Role::Text);
 }
 
-/// Write a name that can be clicked, in brackets where it is shown; gives the column after it.
+/// Draws a clickable name, in brackets if it is shown; returns the column after it.
 fn name(
     canvas: &mut Canvas<'_>,
     area: Rect,
@@ -195,7 +195,7 @@ fn name(
     end
 }
 
-/// The names of the tab's pages, the one shown in brackets, and how to get to the next.
+/// Draws the names of the tab's pages, the shown one in brackets, and the key to the next page.
 pub(crate) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
     let page = pages::page(app.tab);
@@ -232,12 +232,12 @@ pub(crate) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// Columns that are left of a warning of the status row where it is cut.
+/// Minimum columns of a shortened warning in the status row.
 const WARNING_LEAST: usize = 14;
-/// Columns between two parts of it.
+/// Columns between two parts of the status row.
 const BETWEEN: usize = 3;
 
-/// The state of the run and its cost.
+/// Draws the status row: state and cost of the run.
 pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut spans = vec![Span::raw(" ")];
     let parts = fitted(app.status(), usize::from(area.width.saturating_sub(1)));
@@ -250,8 +250,8 @@ pub(crate) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_line(area, &Line::from(spans));
 }
 
-/// The parts of a status row in so many columns. Where there is no room for all, the notes behind the last warning are dropped, then
-/// warnings are cut, then other notes are dropped, all but the first part: a warning never vanishes.
+/// Fits the parts of a status row into this many columns. If necessary, drops the notes after the last warning, then shortens warnings,
+/// then drops other notes except the first part. Warnings are never dropped.
 fn fitted(mut parts: Vec<StatusPart>, room: usize) -> Vec<StatusPart> {
     let width = |part: &StatusPart| usize::from(columns(&part.1)) + BETWEEN;
     let least = |part: &StatusPart| match part.0 {

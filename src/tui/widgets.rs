@@ -1,4 +1,4 @@
-//! Parts that several pages and dialogs are made of: the canvas they draw on, one-line fields, tables, text in cells.
+//! Common elements of pages and dialogs: canvas, single-line fields, tables, text in cells.
 
 pub(crate) mod axis;
 pub(crate) mod find;
@@ -29,22 +29,22 @@ use crate::tui::widgets::text::{TextLine, first_row};
 pub(crate) use layout::{split_bottom, split_left, split_top};
 pub(crate) use navigation::{along, around, cursor_moved, cycled, moved, rows_moved, step_of};
 
-/// The cells that are drawn on, and what the drawing says beside: where the cursor stands, and what is under the mouse.
+/// Cells for drawing, with the cursor position and the mouse targets.
 pub(crate) struct Canvas<'a> {
     buffer: &'a mut Buffer,
     pub(crate) theme: Theme,
-    /// Where the terminal's cursor stands, while a field is open.
+    /// Position of the terminal's cursor, while a field is open.
     pub(crate) cursor: Option<(u16, u16)>,
-    /// Where the selected row begins, of what was drawn last.
+    /// Start of the selected row that was drawn last.
     pub(crate) selected: Option<(u16, u16)>,
-    /// The charts and maps drawn, as SVG, where they are collected.
+    /// Drawn charts and maps as SVG; `None` if they are not collected.
     pub(crate) pictures: Option<Vec<String>>,
     pointer: Option<(u16, u16)>,
     target: Option<Target>,
 }
 
 impl<'a> Canvas<'a> {
-    /// A canvas over all cells of a buffer.
+    /// Creates a canvas over all cells of a buffer.
     pub(crate) fn new(buffer: &'a mut Buffer, theme: Theme) -> Self {
         let (cursor, selected, pictures) = (None, None, None);
         let (pointer, target) = (None, None);
@@ -56,7 +56,7 @@ impl<'a> Canvas<'a> {
         Self { pointer: Some(at), ..Self::new(buffer, theme) }
     }
 
-    /// Write a text into a row of an area; gives the column after it. Rows and columns outside the area are left alone.
+    /// Draws a text into a row of an area; returns the column after it. Clips to the area.
     pub(crate) fn put(&mut self, area: Rect, at: (u16, u16), text: &str, role: Role) -> u16 {
         self.put_styled(area, at, text, self.theme.style(role))
     }
@@ -76,7 +76,7 @@ impl<'a> Canvas<'a> {
         self.buffer.set_stringn(area.x + column, area.y + row, text, room, style).0 - area.x
     }
 
-    /// Write lines below each other from a row on, as many as have room.
+    /// Draws consecutive lines, starting at a row, as many as fit.
     pub(crate) fn put_lines(
         &mut self,
         area: Rect,
@@ -88,13 +88,13 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Write what stands in the middle of an area that has nothing to show yet.
+    /// Draws the text of an empty pane in its middle.
     pub(crate) fn put_centred(&mut self, area: Rect, text: &str) {
         let column = area.width.saturating_sub(columns(text)) / 2;
         self.put(area, (column, area.height / 2), text, Role::Dim);
     }
 
-    /// Write a letter at the foot of a plot, where a curve has a gap.
+    /// Draws a letter at the foot of a plot, at a gap of a curve.
     pub(crate) fn put_gap(&mut self, layout: &Layout, x: f64, letter: char) {
         if let Some(column) = layout.x.cell(x) {
             let foot = (column, layout.plot.height.saturating_sub(1));
@@ -106,14 +106,14 @@ impl<'a> Canvas<'a> {
         line.render(area.intersection(self.buffer.area), self.buffer);
     }
 
-    /// Show a row as the selected one.
+    /// Draws a row as selected.
     pub(crate) fn paint_row(&mut self, row: Rect) {
         self.selected = Some((row.x, row.y));
         let style = self.theme.style(Role::Selection);
         self.buffer.set_style(row.intersection(self.buffer.area), style);
     }
 
-    /// Invert a cell of a row, on a selected row too.
+    /// Inverts a cell of a row, also on a selected row.
     pub(crate) fn invert(&mut self, row: Rect, column: u16) {
         let at = (row.x + column, row.y);
         let is_inside = row.contains(at.into()) && self.buffer.area.contains(at.into());
@@ -122,7 +122,7 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Draw a chart or a map, and tell where everything lies.
+    /// Draws a chart or a map; returns its layout.
     pub(crate) fn draw(&mut self, picture: &impl Draw, area: Rect) -> Layout {
         if let Some(pictures) = &mut self.pictures {
             pictures.push(picture.svg());
@@ -130,24 +130,24 @@ impl<'a> Canvas<'a> {
         picture.render(area, self.buffer, self.theme)
     }
 
-    /// The target under the pointer; `None` where a click has no effect.
+    /// Returns the target under the pointer; `None` if a click has no effect.
     pub(crate) fn target(&self) -> Option<Target> {
         self.target
     }
 
-    /// Say what an area is to the mouse; what is drawn later lies over it.
+    /// Sets the mouse target of an area; areas drawn later take precedence.
     pub(crate) fn hit(&mut self, area: Rect, target: impl FnOnce((u16, u16)) -> Option<Target>) {
         if let Some(at) = self.pointer.filter(|at| area.contains((*at).into())) {
             self.target = target(at).or(self.target);
         }
     }
 
-    /// Say that an area is a pane, beside its parts.
+    /// Sets a pane as the mouse target of an area, in addition to its parts.
     pub(crate) fn pane(&mut self, area: Rect, pane: Pane) {
         self.hit(area, |_| Some(Target::Pane(pane)));
     }
 
-    /// Say what the rows of a list are, by their index: the first one shown, and how many there are.
+    /// Sets the mouse targets of the rows of a list, by index; takes the first visible row and the number of rows.
     pub(crate) fn rows(
         &mut self,
         area: Rect,
@@ -160,7 +160,7 @@ impl<'a> Canvas<'a> {
         });
     }
 
-    /// Say what the cells of a plot are, by the values of its axes.
+    /// Sets the mouse targets of the cells of a plot, by axis values.
     pub(crate) fn plot(
         &mut self,
         layout: &Layout,
@@ -172,7 +172,7 @@ impl<'a> Canvas<'a> {
         });
     }
 
-    /// A dialog takes all clicks from what is drawn so far.
+    /// Removes all previous mouse targets, because a dialog covers them.
     pub(crate) fn cover(&mut self) {
         self.target = None;
     }
@@ -198,7 +198,7 @@ impl PaneFrame<'_> {
     }
 }
 
-/// How many rows a list or a form has, which is selected, and how many are shown at once.
+/// Number of rows of a list or form, the selected row, and the number of visible rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Rows {
     pub count: usize,
@@ -209,7 +209,7 @@ pub(crate) struct Rows {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RowList {
     pub count: usize,
-    /// The row that is kept in sight.
+    /// Selected row, kept visible.
     pub selected: usize,
     pub painted: bool,
 }
@@ -219,7 +219,7 @@ impl RowList {
         first_row(self.selected, usize::from(height), self.count)
     }
 
-    /// Draw the rows that have room: `draw` draws one into the row of the screen it is given; `target` is what a click on it means.
+    /// Draws the visible rows: `draw` draws a row at its screen row; `target` returns its mouse target.
     pub(crate) fn render(
         self,
         canvas: &mut Canvas<'_>,

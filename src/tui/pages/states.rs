@@ -23,8 +23,8 @@ pub struct States {
 pub struct Log {
     /// All messages of this session, oldest first.
     pub messages: Vec<Notice>,
-    /// The first row shown.
+    /// First visible row.
     pub scroll: usize,
-    /// The lines shown contain this.
+    /// Filter text of the lines.
     pub find: String,
 }

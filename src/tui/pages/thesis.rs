@@ -1,4 +1,4 @@
-//! The Thesis tab: what is computed of the thesis, its design principles, its screening of concepts.
+//! Thesis tab: reproduced results, design principles, screening of concepts.
 
 pub mod state;
 
@@ -18,10 +18,10 @@ use cmra_studies::study::thesis::{ClaimVerdict, Row, tally};
 
 pub use state::{CLAIMS, CONCEPTS, MEASURED, PRINCIPLES};
 
-/// From this width on the detail stands beside the list, else below it in at most so many rows.
+/// Minimum width for the detail beside the list, and maximum rows of the detail below it.
 const BESIDE: u16 = 110;
 const DETAIL: u16 = 11;
-/// Columns of a claim's place in the list, at most; a third of a narrow list.
+/// Maximum columns of a claim's reference in the list; a third of a narrow list.
 const PLACE: u16 = 25;
 const LABEL: u16 = 12;
 
@@ -72,7 +72,7 @@ impl Page for ThesisTab {
 
     fn act(&self, app: &mut App, action: Action) -> bool {
         match (app.pane(), action) {
-            // The scene plays no part.
+            // The claims do not depend on the scene.
             (CLAIMS, Action::Run) => jobs::study_of(app, action, &Arc::default(), Claims),
             (CLAIMS, Action::Enter) => open(app, app.claim().and_then(|row| row.claim.preset)),
             (PRINCIPLES, Action::Enter) => open(app, Some(principle(app).preset)),
@@ -91,7 +91,7 @@ impl Page for ThesisTab {
             Some(name) => format!("<enter> opens {name}"),
             None => "no preset shows this".to_owned(),
         };
-        // The cause is in the detail: a line that changes its height here would move the list.
+        // The detail shows the cause. A line that changes its height here would move the list.
         note(Some(format!("{} {}: {opens}", claim.verdict.letter(), claim.verdict.words())))
     }
 
@@ -121,7 +121,7 @@ impl Page for ThesisTab {
             CONCEPTS => ("concepts.csv", Reach::Complete, thesis::concepts().csv()),
             MEASURED => ("measured-limits.csv", Reach::Complete, limits::rows(left_out()).csv()),
             _ => {
-                // Of the claims those that are shown, as far as they are checked.
+                // The table contains the displayed claims that are already checked.
                 let shown: Vec<Row> = app.claims().into_iter().cloned().collect();
                 let reach = tab.report.reach;
                 let text = || thesis::claims(&shown).with_reach(reach).csv();
@@ -168,7 +168,7 @@ fn principle(app: &App) -> Principle {
     principles::PRINCIPLES[app.pages.thesis.principle.min(principles::PRINCIPLES.len() - 1)]
 }
 
-/// Opens the preset that shows the selected row: a sweep in Explore, another scene in the Run tab.
+/// Opens the preset of the selected row: a sweep in Explore, another scene in the Run tab.
 fn open(app: &mut App, preset: Option<&str>) {
     let entry = app.files.presets.iter().find(|entry| Some(entry.name.as_str()) == preset);
     match entry.cloned() {
@@ -177,7 +177,7 @@ fn open(app: &mut App, preset: Option<&str>) {
     }
 }
 
-/// Load a scene and show what it is about: a sweep in Explore, else its run.
+/// Loads a scene and shows its subject: a sweep in Explore, else its run.
 pub(crate) fn show(app: &mut App, base: ReferencePreset) {
     let (name, axes) = (base.name.clone(), axes(&base.scene));
     let picture = picture_of(app, &base);
@@ -188,13 +188,13 @@ pub(crate) fn show(app: &mut App, base: ReferencePreset) {
     }
 }
 
-/// Axes of the sweep that a scene keeps.
+/// Returns the number of axes of a scene's sweep.
 pub(crate) fn axes(scene: &Scene) -> usize {
     scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len())
 }
 
-/// How the sweep of a preset is shown, whatever was looked at before: over two axes as a map, but figures of the thesis as curves, which
-/// have the printed scheme's beside them.
+/// Returns the display for the sweep of a preset: a map for two axes, but curves for figures of the thesis, which include the printed
+/// scheme.
 fn picture_of(app: &App, base: &ReferencePreset) -> ChartKind {
     match axes(&base.scene) {
         0 => app.picture(),
@@ -203,13 +203,13 @@ fn picture_of(app: &App, base: &ReferencePreset) -> ChartKind {
     }
 }
 
-/// Begin with what the scene is about, as if its preset had been loaded.
+/// Shows the subject of the scene as if its preset had been loaded.
 pub(crate) fn begin(app: &mut App) {
     app.pages.explore.picture = picture_of(app, &app.base);
     look(app);
 }
 
-/// Show what the scene is about: a sweep in Explore, else its run.
+/// Shows the subject of the scene: a sweep in Explore, else its run.
 fn look(app: &mut App) {
     if axes(&app.scene) == 0 {
         app.focus_on(run::VARIABLES);
@@ -222,7 +222,7 @@ fn look(app: &mut App) {
 }
 
 impl App {
-    /// The claims shown: those that match what is looked for, best first.
+    /// Returns the claims that match the filter, best first.
     pub fn claims(&self) -> Vec<&Row> {
         let tab = &self.pages.thesis;
         ranked(tab.rows().iter(), |row| {
@@ -264,7 +264,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         canvas.put(inner, (1, 1), &text, Role::Dim);
     }
     let says = PLACE.min(inner.width / 3);
-    // A claim has as many lines as it needs.
+    // A claim takes as many lines as necessary.
     let room = usize::from(inner.width.saturating_sub(says));
     let lines: Vec<(usize, bool, String)> = shown
         .iter()
@@ -294,7 +294,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     claim(app, detail, canvas);
 }
 
-/// The selected claim in full: its parts below each other, each over as many rows as it needs.
+/// Draws the selected claim in full, one part below the other.
 fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let place = app.claim().map_or("", |row| row.claim.place);
     let hint = app.keymap.shown("<next-pane>: principles");
@@ -318,7 +318,7 @@ fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// Rows that the picture of measured limits has at least, frame included.
+/// Minimum rows of the chart of measured limits, frame included.
 const CHART_LEAST: u16 = 8;
 
 /// Meaning of the letters of [`FUNCTIONS`].
@@ -330,7 +330,7 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
     let all = principles::PRINCIPLES;
-    // The rows of the list: a principle by its index, or the title of its family.
+    // Rows of the list: a principle by its index, or the title of its family.
     let begins = |at: usize| at == 0 || all[at - 1].family != all[at].family;
     let rows = (0..all.len()).flat_map(|at| [(at, true), (at, false)]);
     let rows: Vec<(usize, bool)> = rows.filter(|&(at, title)| !title || begins(at)).collect();
@@ -362,7 +362,7 @@ fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .right(app.keymap.shown("<next-pane>: measurements"))
         .focused(app.dialog.is_none());
     let inner = pane.draw(area, canvas);
-    // A narrow screen cuts the ends of the criteria's names.
+    // A narrow screen shortens the names of the criteria.
     let (name, cell) = if inner.width < 78 { (11, 5) } else { (22, 6) };
     let put = |canvas: &mut Canvas<'_>, y: u16, label: &str, weight: &str, cells: [String; 8]| {
         canvas.put(inner, (0, y), &clip(label, usize::from(name) - 1), Role::Text);
@@ -391,7 +391,7 @@ fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// Measured limits beside those expected from all other papers: their picture, and the errors by class.
+/// Draws measured limits and the limits expected from all other papers: the chart, and the errors by class.
 fn measured(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let rows = left_out();
     let text = limits::error_lines(&errors(rows));
@@ -411,7 +411,7 @@ fn measured(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// Two letters of the first word and one of the second: `EmF` for `Emergent four-bar`.
+/// Abbreviates a name to two letters of its first word and one of the second: `EmF` for `Emergent four-bar`.
 fn initials(name: &str) -> String {
     let mut words = name.split(' ');
     let first: String = words.next().unwrap_or_default().chars().take(2).collect();

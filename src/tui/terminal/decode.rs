@@ -1,9 +1,8 @@
-//! Bytes of the terminal to keys, pastes and clicks.
+//! Decoder of terminal input: bytes to keys, pastes and clicks.
 //!
-//! A key may come in several packets, and a terminal also sends what is no key: answers to questions, of this program or of one
-//! before it. A key is passed on when it is whole; anything else is swallowed to its end. Whether a lone escape is the key or the
-//! beginning of a sequence, only time tells: the caller waits as long as [`Decoder::patience`] says, and calls [`Decoder::expire`]
-//! when nothing has come. Knows no clock.
+//! A key may arrive in several packets. A terminal also sends other data, such as answers to requests of this program or an earlier one.
+//! The decoder returns complete keys and discards all other sequences. Only time distinguishes a single escape key from the start of a
+//! sequence. The caller waits for [`Decoder::patience`] and then calls [`Decoder::expire`]. The decoder does not read a clock.
 
 use std::time::Duration;
 
@@ -19,7 +18,7 @@ const PASTE_REST: Duration = Duration::from_secs(10);
 /// repeats 30 times per second, so key repeats cannot keep an unterminated sequence open.
 const PER_BYTE: Duration = Duration::from_millis(10);
 
-/// The interrupt, Ctrl-C.
+/// Interrupt character, Ctrl-C.
 const INTERRUPT: u8 = 0x03;
 
 /// Maximum length of an escape sequence, bytes; larger than that of any known sequence.
@@ -33,27 +32,27 @@ pub(in crate::tui) enum Input {
     Key(KeyEvent),
     Paste(String),
     Mouse(MouseEvent),
-    /// The answer to a request for a status report: all that was sent before the request has arrived.
+    /// Answer to a request for a status report: all data sent before the request has been received.
     Arrived,
 }
 
-/// Where in a key or a sequence the bytes are.
+/// State of the decoder within a key or a sequence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum State {
     Ground,
-    /// Some bytes of one character.
+    /// First bytes of a character.
     Character(Vec<u8>),
     Escape,
-    /// The bytes after `ESC [`.
+    /// Bytes after `ESC [`.
     Control(Vec<u8>),
     /// After `ESC O`.
     Single,
-    /// In a string that is of no interest, after this introducer (OSC, DCS, APC); whether anything has followed it.
+    /// Inside an ignored string with this introducer (OSC, DCS, APC); whether a byte has followed it.
     Text(u8, bool),
-    /// After an escape in a string: its end, or the beginning of something else.
+    /// After an escape inside a string: its end, or the start of another sequence.
     TextEscape,
     Paste(Vec<u8>),
-    /// So many bytes of an old mouse report are still to come: its coordinates are not read.
+    /// Number of missing coordinate bytes of an old mouse report, which are ignored.
     Click(u8),
     /// After `ESC [ [`: a function key of the Linux console.
     Console,
@@ -61,9 +60,9 @@ enum State {
 
 pub(in crate::tui) struct Decoder {
     state: State,
-    /// How long a lone escape may be the beginning of a sequence.
+    /// Maximum time for which a single escape may be the start of a sequence.
     hold: Duration,
-    /// How long what has begun may still take.
+    /// Remaining time for the current sequence.
     left: Duration,
 }
 
@@ -72,17 +71,17 @@ impl Decoder {
         Self { state: State::Ground, hold, left: Duration::ZERO }
     }
 
-    /// How long to wait for the next byte before calling [`Decoder::expire`]; `None`: for ever.
+    /// Returns the timeout for the next byte, after which [`Decoder::expire`] must be called; `None` for no timeout.
     pub(in crate::tui) fn patience(&self) -> Option<Duration> {
         (self.state != State::Ground).then_some(self.left)
     }
 
-    /// Note how long the last bytes were waited for.
+    /// Records how long the caller waited for the last bytes.
     pub(in crate::tui) fn waited(&mut self, time: Duration) {
         self.left = self.left.saturating_sub(time);
     }
 
-    /// The most that a state may take to go on.
+    /// Returns the maximum pause in this state.
     fn longest(&self) -> Duration {
         match self.state {
             State::Ground => Duration::ZERO,
@@ -92,7 +91,7 @@ impl Decoder {
         }
     }
 
-    /// Nothing more has come in time.
+    /// Handles a timeout.
     pub(in crate::tui) fn expire(&mut self, out: &mut Vec<Input>) {
         match std::mem::replace(&mut self.state, State::Ground) {
             State::Escape => out.push(key(KeyCode::Esc)),
@@ -107,9 +106,9 @@ impl Decoder {
         }
     }
 
-    /// Takes bytes as they have come, however many.
+    /// Decodes bytes, in packets of any size.
     pub(in crate::tui) fn feed(&mut self, bytes: &[u8], out: &mut Vec<Input>) {
-        // A paste whose end was lost does not swallow an interrupt that comes by itself, as keys do.
+        // A paste without an end does not swallow a single interrupt, which cannot be part of it.
         if bytes == [INTERRUPT] && matches!(self.state, State::Paste(_)) {
             self.expire(out);
         }
@@ -134,10 +133,10 @@ impl Decoder {
                 self.ground(byte, KeyModifiers::NONE, out);
             }
             State::Text(introducer, _) => match byte {
-                // Ended by BEL, CAN or SUB, and by `ESC \\`.
+                // Terminated by BEL, CAN or SUB, and by `ESC \\`.
                 0x07 | 0x18 | 0x1a => {}
                 0x1b => self.state = State::TextEscape,
-                // Its end was lost: no string has a control character.
+                // The end was lost: strings contain no control characters.
                 0x00..=0x1f => self.ground(byte, KeyModifiers::NONE, out),
                 _ => self.state = State::Text(introducer, true),
             },
@@ -153,7 +152,7 @@ impl Decoder {
                     None => self.state = State::Paste(text),
                 }
             }
-            // What follows `ESC O` and `ESC [ [`, and coordinates, are characters: the end was lost.
+            // Only characters follow `ESC O`, `ESC [ [` and coordinates: the end was lost.
             State::Single | State::Console | State::Click(_) if byte < b' ' && byte != 0x1b => {
                 self.ground(byte, KeyModifiers::NONE, out);
             }
@@ -180,7 +179,7 @@ impl Decoder {
             0x1c..=0x1f => control(byte - 0x1c + b'4'),
             b' '..=b'~' => return out.push(character(char::from(byte), modifiers)),
             0xc2..=0xf4 => return self.state = State::Character(vec![byte]),
-            // The middle of a character whose beginning was lost, or no UTF-8 at all.
+            // Middle of a character without its start, or invalid UTF-8.
             _ => return,
         };
         out.push(Input::Key(KeyEvent::new(code, modifiers)));
@@ -203,12 +202,12 @@ impl Decoder {
             b'[' => self.state = State::Control(Vec::new()),
             b'O' => self.state = State::Single,
             b']' | b'P' | b'_' => self.state = State::Text(byte, false),
-            // Two escapes: the first is the key.
+            // Two escapes: the first is a key.
             0x1b => {
                 out.push(key(KeyCode::Esc));
                 self.state = State::Escape;
             }
-            // The Linux console's Shift-Tab.
+            // Shift-Tab of the Linux console.
             b'\t' => out.push(key(KeyCode::BackTab)),
             b' '..=b'~' | 0x7f => self.ground(byte, KeyModifiers::ALT, out),
             _ => {
@@ -232,10 +231,10 @@ impl Decoder {
             0x1b => self.state = State::Escape,
             b'[' if rest.is_empty() => self.state = State::Console,
             b'M' if rest.is_empty() => self.state = State::Click(3),
-            // With Shift urxvt ends the number of a key in a `$`.
+            // With Shift, urxvt ends the number of a key with `$`.
             b'$' if !rest.is_empty() && rest.iter().all(u8::is_ascii_digit) => {}
             b' '..=b'?' => {
-                // What is too long to be a key is swallowed all the same.
+                // Sequences that are too long for a key are discarded.
                 if rest.len() < LONGEST {
                     rest.push(byte);
                 }
@@ -245,14 +244,15 @@ impl Decoder {
                 self.state = State::Paste(Vec::new());
             }
             b'@'..=b'~' => out.extend(sequence(&rest, byte)),
-            // No sequence: the byte is what it is by itself.
+            // Not a sequence: handle the byte separately.
             0x00..=0x1f => self.ground(byte, KeyModifiers::NONE, out),
             _ => {}
         }
     }
 }
 
-/// Whether a string of terminals begins so: OSC with a number, DCS with one or with the mark of a report, APC with that of graphics.
+/// Returns `true` if a terminal string may start in this way: OSC with a number, DCS with a number or report mark, APC with the graphics
+/// mark.
 fn may_begin(introducer: u8, byte: u8) -> bool {
     match introducer {
         b']' => byte.is_ascii_digit(),
@@ -277,25 +277,26 @@ fn sequence(rest: &[u8], last: u8) -> Option<Input> {
     let field = |at: usize, part: usize| fields.get(at).and_then(|it| it.get(part)).copied();
     let modifiers = modifiers(field(1, 0).unwrap_or(1));
     let first = field(0, 0).unwrap_or(0);
-    // The protocol of kitty reports releases too, if another program has left that on.
+    // The kitty protocol also reports releases, if another program has left it on.
     if field(1, 1) == Some(RELEASED) {
         return None;
     }
     match last {
-        // xterm's modifyOtherKeys: the number of the character comes last.
+        // xterm's modifyOtherKeys: the number of the character is last.
         b'~' if first == 27 => spelled(field(2, 0)?, None, modifiers),
         b'~' => numbered(first).map(|code| with(code, modifiers)),
-        // The text of the key where it is given, else the character of the key with Shift.
+        // Use the text of the key if given, else the shifted character.
         b'u' => spelled(first, field(2, 0).or_else(|| field(0, 1)), modifiers),
         b'n' => (fields == [[0]]).then_some(Input::Arrived),
         b'Z' => Some(key(KeyCode::BackTab)),
-        // With other numbers it is the place of the cursor.
+        // With other numbers it is the cursor position.
         b'P' | b'Q' | b'S' if first <= 1 => Some(with(KeyCode::F(last - b'P' + 1), modifiers)),
         _ => named(last).map(|code| with(code, modifiers)),
     }
 }
 
-/// Fields between semicolons, each with its parts between colons; `None` for a private sequence, or one with intermediate bytes.
+/// Returns the fields between semicolons, each with its parts between colons; `None` for a private sequence, or one with intermediate
+/// bytes.
 fn fields(rest: &[u8]) -> Option<Vec<Vec<u32>>> {
     let text = std::str::from_utf8(rest).ok()?;
     if text.is_empty() {
@@ -305,11 +306,11 @@ fn fields(rest: &[u8]) -> Option<Vec<Vec<u32>>> {
     text.split(';').map(|field| field.split(':').map(number).collect()).collect()
 }
 
-/// The event type of a released key.
+/// Event type of a released key.
 const RELEASED: u32 = 3;
 
-/// The key of a character's number, as kitty and xterm spell keys out where another program has left that on; `text` is what the key
-/// types. With Control a key means what its control character meant before.
+/// Returns the key of a character number, as reported by kitty and xterm if another program has left that mode on; `text` is the typed
+/// character. With Control, a key has the meaning of its control character.
 fn spelled(number: u32, text: Option<u32>, modifiers: KeyModifiers) -> Option<Input> {
     let has_control = modifiers.contains(KeyModifiers::CONTROL);
     let has_shift = modifiers.contains(KeyModifiers::SHIFT);
@@ -319,7 +320,7 @@ fn spelled(number: u32, text: Option<u32>, modifiers: KeyModifiers) -> Option<In
         9 => return Some(key(KeyCode::Tab)),
         8 | 127 => return Some(key(KeyCode::Backspace)),
         27 => return Some(key(KeyCode::Esc)),
-        // The keypad: digits and signs, then the keys of the cursor.
+        // Keypad: digits and signs, then cursor keys.
         57399..=57413 => {
             char::from(*b"0123456789./*-+".get(usize::try_from(number - 57399).ok()?)?)
         }
@@ -348,7 +349,7 @@ fn spelled(number: u32, text: Option<u32>, modifiers: KeyModifiers) -> Option<In
     Some(character(c, modifiers - KeyModifiers::SHIFT))
 }
 
-/// The modifiers of a number: one more than its bits.
+/// Converts a modifier number, which is one more than its bits.
 fn modifiers(number: u32) -> KeyModifiers {
     let bits = number.saturating_sub(1);
     [(1, KeyModifiers::SHIFT), (2, KeyModifiers::ALT), (4, KeyModifiers::CONTROL)]
@@ -357,7 +358,7 @@ fn modifiers(number: u32) -> KeyModifiers {
         .fold(KeyModifiers::NONE, |all, (_, one)| all | one)
 }
 
-/// The keys that end in a letter.
+/// Returns the key of a final letter.
 fn named(letter: u8) -> Option<KeyCode> {
     Some(match letter {
         b'A' => KeyCode::Up,
@@ -370,7 +371,7 @@ fn named(letter: u8) -> Option<KeyCode> {
     })
 }
 
-/// The keys that have a number.
+/// Returns the key of a number.
 fn numbered(number: u32) -> Option<KeyCode> {
     let number = u8::try_from(number).ok()?;
     Some(match number {
@@ -380,7 +381,7 @@ fn numbered(number: u32) -> Option<KeyCode> {
         4 | 8 => KeyCode::End,
         5 => KeyCode::PageUp,
         6 => KeyCode::PageDown,
-        // The numbers leave gaps: F5 is 15, F6 17, F11 23.
+        // The numbers have gaps: F5 is 15, F6 17, F11 23.
         11..=15 => KeyCode::F(number - 10),
         17..=21 => KeyCode::F(number - 11),
         23..=24 => KeyCode::F(number - 12),
@@ -396,7 +397,7 @@ fn with(code: KeyCode, modifiers: KeyModifiers) -> Input {
     Input::Key(KeyEvent::new(code, modifiers))
 }
 
-/// A character, which says by itself whether it is a capital.
+/// Creates a character key; the character itself determines its case.
 fn character(c: char, modifiers: KeyModifiers) -> Input {
     let shift = if c.is_uppercase() { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
     with(KeyCode::Char(c), modifiers | shift)
@@ -406,10 +407,10 @@ fn paste(text: &[u8]) -> Input {
     Input::Paste(String::from_utf8_lossy(text).into_owned())
 }
 
-/// The left button and the wheel: other buttons are left to the terminal's own menus, and the wheel turned sideways would step values
-/// by mistake when a touchpad is brushed. A terminal counts from one; one that sends a zero has clicked nowhere.
+/// Decodes the left button and the wheel. Other buttons are left to the terminal's own menus, and horizontal scrolling would step values by
+/// accident. Terminal coordinates start at 1; a zero is not a position.
 fn click(button: u16, column: u16, row: u16, is_press: bool) -> Option<Input> {
-    // Bits 2 to 4 are Shift, Alt and Control, bit 5 a movement.
+    // Bits 2 to 4 are Shift, Alt and Control, bit 5 is a movement.
     let kind = match button & !0b1_1100 {
         0 if is_press => MouseEventKind::Down(MouseButton::Left),
         64 => MouseEventKind::ScrollUp,
@@ -446,7 +447,7 @@ mod tests {
         character(c, KeyModifiers::NONE)
     }
 
-    /// The sequences of xterm and the Linux console, by their manuals.
+    /// Sequences of xterm and the Linux console, by their manuals.
     #[test]
     fn keys_are_what_terminals_send_for_them() {
         use KeyCode as K;
@@ -486,7 +487,7 @@ mod tests {
         assert_eq!(one(b"\x1b\x1b[D"), [key(K::Esc), key(K::Left)]);
     }
 
-    /// The keyboard protocol of kitty, and xterm's modifyOtherKeys, by their manuals: another program may have left them on.
+    /// Keyboard protocol of kitty and xterm's modifyOtherKeys, by their manuals. Another program may have left them on.
     #[test]
     fn keys_that_are_spelled_out_are_the_same_keys() {
         for (spelled, plain) in [
@@ -516,7 +517,7 @@ mod tests {
             (b"\x1b[49;2;33u", b"!"),
             (b"\x1b[106;3u", b"\x1bj"),
             (b"\x1b[246u", b"\xc3\xb6"),
-            // Caps Lock and Num Lock are no modifiers of a command.
+            // Caps Lock and Num Lock do not modify commands.
             (b"\x1b[113;129u", b"q"),
             (b"\x1b[57400u", b"1"),
             (b"\x1b[57414u", b"\r"),
@@ -524,7 +525,7 @@ mod tests {
             (b"\x1b[1;1:1D", b"\x1b[D"),
             (b"\x1b[1;1:3D", b""),
             (b"\x1b[3;1:3~", b""),
-            // A modifier pressed alone.
+            // Modifier pressed alone.
             (b"\x1b[57441;2u", b""),
         ] {
             assert_eq!(one(spelled), one(plain), "{spelled:?}");
@@ -560,11 +561,11 @@ mod tests {
             let with_key = [bytes, b"j"].concat();
             assert_eq!(one(&with_key), [code('j')], "{bytes:?}");
         }
-        // One that is cut off ends with the next sequence, or in silence.
+        // An incomplete string ends at the next sequence, or on timeout.
         assert_eq!(one(b"\x1b]11;rgb:00\x1b[D"), [key(KeyCode::Left)]);
         assert_eq!(one(b"\x1b]11;rgb:00"), []);
         assert_eq!(one(b"\x1b]11;rgb:00\rj"), [key(KeyCode::Enter), code('j')]);
-        // A key right behind Esc that begins a string only where what follows does.
+        // A key directly after Esc starts a string only if the next byte matches.
         let alt = |c| character(c, KeyModifiers::ALT);
         assert_eq!(one(b"\x1b]j"), [alt(']'), code('j')]);
         assert_eq!(one(b"\x1bXj\x1bPj"), [alt('X'), code('j'), alt('P'), code('j')]);
@@ -593,7 +594,7 @@ mod tests {
     }
 
     proptest! {
-        /// However the bytes are cut into packets, the same comes of them.
+        /// The result does not depend on the division into packets.
         #[test]
         fn packets_make_no_difference(
             pieces in proptest::collection::vec(

@@ -1,12 +1,12 @@
-//! Changed cells to bytes, as few as every terminal understands: short cursor moves, one style sequence per change of style,
-//! the eight and sixteen colours by their short codes. Bytes are what an SSH line waits for.
+//! Encoder of changed cells to few bytes that every terminal understands: short cursor moves, one style sequence per change of style, and
+//! short codes for the eight and sixteen colours. The number of bytes limits the speed over SSH.
 
 use std::io::Write;
 
 use ratatui::buffer::Cell;
 use ratatui::style::{Color, Modifier};
 
-/// The style of a cell, as it is sent to the terminal.
+/// Style of a cell, as sent to the terminal.
 #[derive(Clone, Copy, PartialEq)]
 struct Style {
     fg: Color,
@@ -16,10 +16,10 @@ struct Style {
 
 const PLAIN: Style = Style { fg: Color::Reset, bg: Color::Reset, modifier: Modifier::empty() };
 
-/// Append the cells to `out`; the style is plain again afterwards.
+/// Appends the cells to `out`; resets the style at the end.
 pub(super) fn cells<'a>(out: &mut Vec<u8>, content: impl Iterator<Item = (u16, u16, &'a Cell)>) {
     let mut style = PLAIN;
-    // Where the next character would land, were nothing done about it.
+    // Cursor position after the last character.
     let mut next: Option<(u16, u16)> = None;
     for (x, y, cell) in content {
         go_to(out, next, (x, y));
@@ -29,7 +29,7 @@ pub(super) fn cells<'a>(out: &mut Vec<u8>, content: impl Iterator<Item = (u16, u
             style = wanted;
         }
         out.extend_from_slice(cell.symbol().as_bytes());
-        // Terminals disagree about the width of some characters: after any but the plain ones, say where to go on.
+        // Terminals disagree on the width of some characters: set the position explicitly after all others.
         next = is_narrow(cell.symbol()).then(|| (x.saturating_add(1), y));
     }
     if style != PLAIN {
@@ -37,14 +37,14 @@ pub(super) fn cells<'a>(out: &mut Vec<u8>, content: impl Iterator<Item = (u16, u
     }
 }
 
-/// Whether a symbol surely takes one column: one character of those this program draws with.
+/// Returns `true` if a symbol is certain to take one column: a single character of those used by this program.
 fn is_narrow(symbol: &str) -> bool {
     let mut characters = symbol.chars();
     let is_known = |c: char| matches!(c, ' '..='~' | '\u{a0}'..='\u{2ff}' | '\u{370}'..='\u{3ff}' | '\u{2500}'..='\u{259f}' | '\u{2800}'..='\u{28ff}');
     characters.next().is_some_and(is_known) && characters.next().is_none()
 }
 
-/// Move the cursor; `from` is `None` where its place is not known.
+/// Moves the cursor; `from` is `None` if its position is unknown.
 fn go_to(out: &mut Vec<u8>, from: Option<(u16, u16)>, to: (u16, u16)) {
     let (x, y) = to;
     match from {
@@ -60,7 +60,7 @@ fn go_to(out: &mut Vec<u8>, from: Option<(u16, u16)>, to: (u16, u16)) {
     }
 }
 
-/// The modifiers of the theme, with their codes.
+/// Modifiers of the theme, with their codes.
 const MODIFIERS: [(Modifier, u8); 4] =
     [(Modifier::BOLD, 1), (Modifier::DIM, 2), (Modifier::UNDERLINED, 4), (Modifier::REVERSED, 7)];
 
@@ -69,7 +69,7 @@ fn set_style(out: &mut Vec<u8>, mut from: Style, to: Style) {
     out.extend_from_slice(b"\x1b[");
     let mut separator = "";
     if to == PLAIN || !to.modifier.contains(from.modifier) {
-        // Nothing before the first separator stands for plain.
+        // An empty first parameter means plain.
         (from, separator) = (PLAIN, ";");
     }
     let mut push = |code: std::fmt::Arguments<'_>| {
@@ -85,7 +85,7 @@ fn set_style(out: &mut Vec<u8>, mut from: Style, to: Style) {
             Color::Indexed(index @ 0..8) => push(format_args!("{}", base + index)),
             Color::Indexed(index @ 8..16) => push(format_args!("{}", base + 52 + index)),
             Color::Indexed(index) => push(format_args!("{};5;{index}", base + 8)),
-            // The theme has no colours by name.
+            // The theme uses no named colours.
             _ => push(format_args!("{}", base + 9)),
         }
     }
@@ -106,7 +106,7 @@ mod tests {
 
     use super::*;
 
-    /// Draw the difference of two buffers and let a terminal emulator read it.
+    /// Draws the difference of two buffers and parses it with a terminal emulator.
     fn shown(buffers: &[Buffer]) -> (vt100::Parser, usize) {
         let area = buffers[0].area;
         let mut parser = vt100::Parser::new(
@@ -196,7 +196,7 @@ mod tests {
         let mut bytes = Vec::new();
         let before = Buffer::empty(buffer.area);
         cells(&mut bytes, before.diff(&buffer).into_iter());
-        // SGR by ECMA-48: 1 bold, 31 red, none plain; CUF moves on; CUP without a column is column 1.
+        // SGR by ECMA-48: 1 bold, 31 red, none plain; CUF moves right; CUP without a column is column 1.
         assert_eq!(bytes, b"\x1b[1H\x1b[1;31mx\x1b[my\x1b[Cz");
     }
 

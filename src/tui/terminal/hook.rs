@@ -1,8 +1,8 @@
-//! The panic hook while the workbench has the terminal.
+//! Panic hook while the workbench controls the terminal.
 //!
-//! A report with a backtrace is left in the state directory. On the thread that draws the terminal is restored first, and the panic
-//! is then printed on the main screen; on any other thread the terminal stays as it is, since the workbench goes on. Outside the
-//! workbench the hook that was there before does its work.
+//! The hook writes a report with a backtrace to the state directory. On the drawing thread it restores the terminal first and prints the
+//! panic on the main screen. On other threads the terminal is unchanged, because the workbench continues. Outside the workbench the
+//! previous hook is used.
 
 use std::backtrace::Backtrace;
 use std::fs;
@@ -11,7 +11,7 @@ use std::panic::{self, PanicHookInfo};
 use std::path::{Path, PathBuf};
 use std::thread;
 
-/// Install the hook; the calling thread is the one that draws. Reports go to `directory`.
+/// Installs the hook; the calling thread is the drawing thread. Reports are written to `directory`.
 pub(crate) fn install(directory: Option<PathBuf>) {
     let drawing = thread::current().id();
     let before = panic::take_hook();
@@ -27,7 +27,7 @@ pub(crate) fn install(directory: Option<PathBuf>) {
     }));
 }
 
-/// Everything a person who mends this wants to know.
+/// Returns the report for debugging.
 fn report(info: &PanicHookInfo<'_>) -> String {
     let current = thread::current();
     format!(
@@ -38,7 +38,7 @@ fn report(info: &PanicHookInfo<'_>) -> String {
     )
 }
 
-/// Leave the report in a file of its own.
+/// Writes the report to a new file.
 fn written(report: &str, directory: Option<&Path>) -> Option<PathBuf> {
     let directory = directory?;
     fs::create_dir_all(directory).ok()?;
@@ -48,7 +48,7 @@ fn written(report: &str, directory: Option<&Path>) -> Option<PathBuf> {
     Some(path)
 }
 
-/// Leave the report in a file and say so on the main screen; without a file, print all of it.
+/// Writes the report to a file and prints its path on the main screen; without a file, prints the whole report.
 fn report_progress(report: &str, directory: Option<&Path>) {
     let text = match written(report, directory) {
         Some(path) => {
@@ -59,7 +59,7 @@ fn report_progress(report: &str, directory: Option<&Path>) {
         None => report.to_owned(),
     };
     let head = "cmra: internal error; the terminal has been restored";
-    // If standard error is gone, the message cannot be shown.
+    // If standard error is closed, the message cannot be shown.
     let _ = writeln!(std::io::stderr(), "{head}\n{text}");
 }
 
@@ -75,14 +75,14 @@ mod tests {
 
     const PLACE: &str = "CMRA_TEST_PLACE";
 
-    /// Run one of the ignored tests below in a terminal of its own; gives what the terminal shows in the end, what it showed
-    /// last on the alternate screen, and whether its modes are the old ones.
+    /// Runs one of the ignored tests below in a separate terminal. Returns the final screen, the last content of the alternate screen, and
+    /// whether the modes are restored.
     fn in_a_terminal(test: &str, place: &Path) -> (vt100::Parser, String, bool) {
         let pair = native_pty_system().openpty(PtySize::default()).unwrap();
         let mut command = CommandBuilder::new(std::env::current_exe().unwrap());
         let name = format!("{}::{test}", module_path!().split_once("::").unwrap().1);
         command.args(["--ignored", "--exact", &name, "--nocapture"]);
-        // Neither the directory nor the home of the person who runs the tests counts.
+        // The directory and the home of the tester have no effect.
         command.cwd(place);
         command.env_clear();
         command.env(PLACE, place);
@@ -94,16 +94,16 @@ mod tests {
         let mut parser = vt100::Parser::default();
         let mut on_alternate = String::new();
         let mut buffer = [0; 4096];
-        // The system ends reading when the program, the last to have the terminal open, has ended.
+        // Reading ends when the program, the last user of the terminal, has ended.
         while let Ok(count) = reader.read(&mut buffer) {
             if count == 0 {
                 break;
             }
-            // In small pieces, so as not to miss what is overwritten at once.
+            // Use small pieces, to see text that is overwritten immediately.
             for piece in buffer[..count].chunks(8) {
                 parser.process(piece);
                 let shown = parser.screen().contents();
-                // On leaving it is cleared.
+                // The alternate screen is cleared when leaving.
                 if parser.screen().alternate_screen() && !shown.trim().is_empty() {
                     on_alternate = shown;
                 }

@@ -1,8 +1,8 @@
-//! How many colours the terminal has, and which one a role gets at each depth.
+//! Colour depth of the terminal, and the colour of each role at each depth.
 //!
-//! Every fixed shade is readable on white and on black (contrast at least 3 : 1 on both, WCAG 2.1 criterion 1.4.11; tested),
-//! and the curves are told apart without the red or the green cones, too (tested with the matrices of Machado, Oliveira and
-//! Fernandes, 2009). In sixteen colours the terminal's own palette decides: those are used that xterm's makes readable on both.
+//! Every fixed shade is readable on white and on black (contrast at least 3 : 1 on both, WCAG 2.1 criterion 1.4.11; tested). Curves can be
+//! distinguished without red or green cones (tested with the matrices of Machado, Oliveira and Fernandes, 2009). With sixteen colours the
+//! terminal's palette decides; the chosen colours are readable on both backgrounds in xterm's palette.
 
 use cmra_studies::enumeration;
 use ratatui::style::Color;
@@ -14,7 +14,7 @@ enumeration! {
     pub enum ColourDepth in DepthRow {
         word: &'static str,
     }
-    /// None: `NO_COLOR`, or a terminal without colours.
+    /// No colours: `NO_COLOR`, or a terminal without colours.
     #[default]
     None { word: "none" }
     Sixteen { word: "sixteen" }
@@ -22,7 +22,7 @@ enumeration! {
 }
 
 impl ColourDepth {
-    /// The depth the environment promises, never more.
+    /// Detects the depth that the environment guarantees.
     pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
         let value = |name| env(name).filter(|text| !text.is_empty());
         let Some(term) = value("TERM") else {
@@ -38,24 +38,24 @@ impl ColourDepth {
         if has_few { Self::Sixteen } else { Self::Ansi256 }
     }
 
-    /// The next in the cycle 256, sixteen, none.
+    /// Returns the next depth in the cycle 256, sixteen, none.
     #[must_use]
     pub fn next(self) -> Self {
         Self::ALL[(self as usize + Self::ALL.len() - 1) % Self::ALL.len()]
     }
 
-    /// The depth with this word.
+    /// Returns the depth with this keyword.
     pub fn named(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|it| it.word() == word)
     }
 }
 
-/// Colour in the terminal's palette of 16, and in xterm's palette of 256.
+/// Colour index in the terminal's palette of 16, and in xterm's palette of 256.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shade(u8, u8);
 
 impl Shade {
-    /// The colour to use at a depth, or `None` for the terminal's own foreground.
+    /// Returns the colour at a depth; `None` for the terminal's own foreground.
     pub(super) fn at(self, depth: ColourDepth) -> Option<Color> {
         match depth {
             ColourDepth::None => None,
@@ -71,7 +71,7 @@ pub(super) const ERROR: Shade = Shade(1, 160);
 pub(super) const WARNING: Shade = Shade(5, 130);
 pub(super) const NOTE: Shade = Shade(12, 31);
 
-/// Blue, orange, rose, foreground, tan, violet: those of xterm's palette that are farthest from each other for every kind of sight.
+/// Blue, orange, rose, foreground, tan, violet: the colours of xterm's palette with the largest distances for every kind of colour vision.
 const CURVES: [Option<Shade>; 6] = [
     Some(Shade(12, 32)),
     Some(Shade(9, 202)),
@@ -81,18 +81,18 @@ const CURVES: [Option<Shade>; 6] = [
     Some(Shade(13, 93)),
 ];
 
-/// The colour of a curve at a depth, or `None` for the terminal's own foreground. It repeats after six, the markers later.
+/// Returns the colour of a curve at a depth; `None` for the terminal's own foreground. Colours repeat after six curves, markers later.
 pub(super) fn curve(index: usize, depth: ColourDepth) -> Option<Color> {
     CURVES[index % CURVES.len()].and_then(|shade| shade.at(depth))
 }
 
-/// Ten steps from dark blue over grey to light yellow, after cividis (Nunez, Anderton and Renslow 2018), from xterm's palette:
-/// lightness rises with every step, so that order is seen without hue.
+/// Ten shades of xterm's palette from dark blue over grey to light yellow, after cividis (Nunez, Anderton and Renslow 2018). Lightness
+/// increases with every shade, so that the order is visible without hue.
 const HEAT: [u8; 10] = [17, 18, 24, 60, 66, 102, 108, 144, 186, 229];
-/// Steps from this on need dark ink.
+/// First shade that needs dark text.
 const LIGHT_FROM: usize = 4;
 
-/// The colour of a step of a heat map, and the ink that can be read on it.
+/// Returns the colour of a heat map's shade, and a readable text colour.
 pub(super) fn heat(shade: usize) -> (Color, Color) {
     let shade = shade.min(HEAT.len() - 1);
     let ink = if shade < LIGHT_FROM { WHITE } else { BLACK };
@@ -102,7 +102,7 @@ pub(super) fn heat(shade: usize) -> (Color, Color) {
 const BLACK: Color = Color::Indexed(16);
 const WHITE: Color = Color::Indexed(231);
 
-/// The ink that can be read on a step's colour.
+/// Returns a readable text colour on a shade.
 pub(crate) fn ink_on(colour: Color) -> Color {
     let shade = (0..HEAT.len()).find(|shade| heat(*shade).0 == colour);
     shade.map_or(WHITE, |shade| heat(shade).1)
@@ -125,12 +125,12 @@ mod tests {
         })
     }
 
-    /// A matrix times linear red, green, blue.
+    /// Multiplies a matrix by linear red, green, blue.
     fn seen(matrix: [[f64; 3]; 3], rgb: [f64; 3]) -> [f64; 3] {
         matrix.map(|row| row.iter().zip(rgb).map(|(a, b)| a * b).sum())
     }
 
-    /// CIE L*a*b* of linear sRGB, white D65.
+    /// Converts linear sRGB, white D65, to CIE L*a*b*.
     fn lab(rgb: [f64; 3]) -> [f64; 3] {
         let to_xyz = [[0.4125, 0.3576, 0.1804], [0.2127, 0.7152, 0.0722], [0.0193, 0.1192, 0.9503]];
         let [x, y, z] = seen(to_xyz, rgb.map(|c| c.clamp(0.0, 1.0)));
@@ -139,8 +139,8 @@ mod tests {
         [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
     }
 
-    /// Without the red cones, the green ones, the blue ones: Machado, Oliveira and Fernandes, 2009, severity 1. Curves are at least
-    /// 30 apart in L*a*b*, 15 without the blue cones; 2.3 is what is just noticed.
+    /// Without red, green or blue cones: Machado, Oliveira and Fernandes, 2009, severity 1. The distance of curves in L*a*b* is at least
+    /// 30, or 15 without blue cones; 2.3 is just noticeable.
     #[test]
     fn curves_are_told_apart_by_every_kind_of_sight() {
         let kinds = [
@@ -174,7 +174,7 @@ mod tests {
         }
     }
 
-    /// RGB values of the used ones among the first 16 colours of xterm's palette.
+    /// RGB values of the used colours among the first 16 of xterm's palette.
     const FIRST: [(u8, (u8, u8, u8)); 6] = [
         (1, (205, 0, 0)),
         (5, (205, 0, 205)),
@@ -184,7 +184,7 @@ mod tests {
         (13, (255, 0, 255)),
     ];
 
-    /// The xterm palette: a 6x6x6 cube from 16, then 24 greys from 232.
+    /// Returns a colour of xterm's palette: a 6x6x6 cube from 16, then 24 greys from 232.
     fn xterm(index: u8) -> (u8, u8, u8) {
         let level = |step: u8| if step == 0 { 0 } else { 55 + 40 * step };
         if index >= 232 {

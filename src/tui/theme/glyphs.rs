@@ -1,4 +1,4 @@
-//! Character sets of the terminal, and the replacement by ASCII.
+//! Character sets of the terminal, and replacement by ASCII.
 //!
 //! Frames use code page 437, because the fonts of the Linux console have it. Curves use braille if the terminal has it. In ASCII mode the
 //! last step of a frame replaces all other characters.
@@ -11,22 +11,22 @@ use ratatui::buffer::Buffer;
 enumeration! {
     #[derive(Default, Hash)]
     pub enum GlyphSet in GlyphRow {
-        /// The word used on the command line and in files.
+        /// Keyword on the command line and in files.
         word: &'static str,
-        /// Dots in a cell: across, down.
+        /// Dots per cell, horizontally and vertically.
         dots: (u16, u16),
     }
-    /// `+ - |` and letters: one dot a cell, works everywhere.
+    /// `+ - |` and letters: one dot per cell, works everywhere.
     #[default]
     Ascii { word: "ascii", dots: (1, 1) }
-    /// Lines and half blocks: two dots a cell, one above the other.
+    /// Lines and half blocks: two dots per cell, one above the other.
     Block { word: "block", dots: (1, 2) }
-    /// Lines and braille: two by four dots a cell.
+    /// Lines and braille: two by four dots per cell.
     Braille { word: "braille", dots: (2, 4) }
 }
 
 impl GlyphSet {
-    /// The set with this word; `auto`, what the terminal can show, is none in particular.
+    /// Returns the character set with this keyword; `None` for `auto`, which detects it.
     pub fn named(word: &str) -> Result<Option<Self>, String> {
         if word.eq_ignore_ascii_case("auto") {
             return Ok(None);
@@ -53,14 +53,14 @@ impl GlyphSet {
         }
     }
 
-    /// The next in the cycle ASCII, block, braille.
+    /// Returns the next set in the cycle ASCII, block, braille.
     #[must_use]
     pub fn next(self) -> Self {
         Self::ALL[(self as usize + 1) % Self::ALL.len()]
     }
 }
 
-/// Whether a terminal is one of DEC's: vt100, vt220; vte is the one of GNOME.
+/// Returns `true` for a terminal of DEC such as vt100 and vt220; vte is GNOME's.
 pub(super) fn is_vt(term: &str) -> bool {
     term.strip_prefix("vt").is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
 }
@@ -71,7 +71,7 @@ impl fmt::Display for GlyphSet {
     }
 }
 
-/// Replaces every character that is not ASCII by one that is, cell by cell; the last step of a frame in ASCII mode.
+/// Replaces every non-ASCII character, cell by cell; the last step of a frame in ASCII mode.
 pub fn ascii_pass(buffer: &mut Buffer) {
     for cell in &mut buffer.content {
         if !cell.symbol().is_ascii() {
@@ -81,7 +81,7 @@ pub fn ascii_pass(buffer: &mut Buffer) {
     }
 }
 
-/// The nearest ASCII character of the same width in cells; `?` where there is none.
+/// Returns the nearest ASCII character of the same width in cells; `?` if there is none.
 fn ascii(character: char) -> char {
     match character {
         '\u{a0}' => ' ',

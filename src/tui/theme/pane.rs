@@ -1,4 +1,4 @@
-//! The frame around a pane: title at the left of the top line, something short at its right, all panes alike.
+//! Frame of a pane: title at the left of the top line, a short text at the right.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -23,7 +23,7 @@ impl<'a> PaneFrame<'a> {
         Self { title: title.into(), ..Self::default() }
     }
 
-    /// With this at the right of the top line; where it has no room there, in the lower line of a frame of its own.
+    /// Sets the text at the right of the top line; uses the lower line of a separate frame if there is no room.
     pub fn right(self, right: impl Into<Line<'a>>) -> Self {
         Self { right: right.into(), ..self }
     }
@@ -32,7 +32,7 @@ impl<'a> PaneFrame<'a> {
         Self { focused, ..self }
     }
 
-    /// As one of several panes in a box.
+    /// Sets the frame of a pane that shares a box with others.
     pub fn frame(self, frame: Frame) -> Self {
         Self { frame, ..self }
     }

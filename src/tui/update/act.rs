@@ -13,12 +13,12 @@ use crate::tui::widgets::table::NO_MATCH;
 use crate::tui::widgets::value_steps::{Input, StepKey};
 use crate::tui::widgets::{around, cycled, rows_moved, step_of};
 
-/// Do it, in the pane that has the keys.
+/// Performs an action in the focused pane.
 pub(crate) fn act(app: &mut App, action: Action) {
     if app.jobs.awaiting_confirmation != Some(action) {
         app.jobs.awaiting_confirmation = None;
     }
-    // Steps of a variable join into one edit.
+    // Steps of a variable are merged into one edit.
     if step_of(action).is_none() || app.pane() != VARIABLES {
         app.history.commit();
         app.pages.run.editor.stepped = None;
@@ -87,7 +87,7 @@ fn anywhere(app: &mut App, action: Action) {
     }
 }
 
-/// Opens the field of the crosshair's place.
+/// Opens the field of the crosshair position.
 fn locate(app: &mut App) {
     if pages::page(app.tab).places(app).is_empty() {
         return app.report_progress(pages::nothing_yet(app, "point at"));
@@ -95,12 +95,12 @@ fn locate(app: &mut App) {
     app.typing = Some(ActiveInput::Place(TextField::default()));
 }
 
-/// Say that a key has no meaning here.
+/// Reports that a key has no effect here.
 pub(crate) fn does_nothing(app: &mut App, label: &str) {
     app.report_progress(format!("`{label}` does nothing here: <help> lists the keys"));
 }
 
-/// Take the next value of a setting.
+/// Changes a setting to its next value.
 fn change_setting(app: &mut App, action: Action) {
     let Settings { theme, mouse } = &mut app.settings;
     let text = match action {
@@ -123,7 +123,7 @@ fn change_setting(app: &mut App, action: Action) {
     app.request(Effect::SaveSession);
 }
 
-/// Show a tab; one that is shown already shows its next page.
+/// Shows a tab; if the tab is already shown, its next page.
 pub(crate) fn go_to(app: &mut App, tab: Tab) {
     if app.tab == tab {
         next_page(app, 1);
@@ -134,7 +134,7 @@ pub(crate) fn go_to(app: &mut App, tab: Tab) {
     }
 }
 
-/// The next or previous page of the tab, in a circle; nothing where it has one.
+/// Shows the next or previous page of the tab, cyclically; no effect for a single page.
 fn next_page(app: &mut App, by: isize) {
     let page = pages::page(app.tab);
     let count = page.about().pages.len();
@@ -143,7 +143,7 @@ fn next_page(app: &mut App, by: isize) {
     }
 }
 
-/// Show a pane, with a page of its tab where one is named.
+/// Shows a pane, with a page of its tab if given.
 fn show(app: &mut App, pane: Pane, page: Option<usize>) {
     app.focus_on(pane);
     let of_tab = pages::page(app.tab);
@@ -153,7 +153,7 @@ fn show(app: &mut App, pane: Pane, page: Option<usize>) {
     }
 }
 
-/// The next pane of the page; the next page where the page has one pane.
+/// Focuses the next pane of the page; shows the next page if the page has a single pane.
 fn focus(app: &mut App, by: isize) {
     let page = pages::page(app.tab);
     let panes = page.shown_panes(app);
@@ -169,9 +169,9 @@ fn focus(app: &mut App, by: isize) {
     page.focused(app);
 }
 
-/// Stop jobs, close what is open, or quit; what would be lost is asked about first.
+/// Stops jobs, closes the open element, or quits; requires a confirmation if something would be lost.
 fn leave(app: &mut App, action: Action) {
-    // What is open is closed before a job is stopped.
+    // Close the open element before stopping a job.
     if action == Action::Back && update::clear(app) {
         return;
     }
@@ -200,11 +200,11 @@ fn leave(app: &mut App, action: Action) {
         app.jobs.awaiting_confirmation = Some(action);
         return app.say(Severity::Warning, question);
     }
-    // Pressed twice it quits, also while what it cancelled is still ending.
+    // Pressed twice the key quits, also while the cancelled job is ending.
     let insists = action == Action::Cancel && app.jobs.awaiting_confirmation == Some(action);
     app.jobs.awaiting_confirmation = (action == Action::Cancel).then_some(action);
     if !jobs.is_empty() && !insists {
-        // What a person stops waits for the key that runs it again, also where it was begun by looking.
+        // A study stopped by the user restarts on request only, also if it started because its page was shown.
         let stopped = app.jobs.studies.iter_mut().filter(|running| jobs.contains(&running.id));
         stopped.for_each(|running| running.is_look = false);
         app.effects.extend(jobs.into_iter().map(Effect::Cancel));
@@ -216,7 +216,7 @@ fn leave(app: &mut App, action: Action) {
     }
 }
 
-/// Esc with nothing to stop: it closes what is open here, and never takes anything away.
+/// Handles Esc without a job to stop: closes the open element, and never discards data.
 fn back(app: &mut App) {
     if pages::page(app.tab).remove_cursor(app) {
         return;
@@ -234,7 +234,7 @@ fn back(app: &mut App) {
     app.report_progress(text);
 }
 
-/// Copy the table that the page shows.
+/// Copies the table of the page.
 fn copy(app: &mut App) {
     let Some(table) = pages::page(app.tab).table(app) else {
         return app.refuse(pages::nothing_yet(app, "copy"));
@@ -242,7 +242,7 @@ fn copy(app: &mut App) {
     app.request(Effect::Copy(Content::Page(table).text()));
 }
 
-/// Do what was called by its name, in the pane it belongs to.
+/// Runs a command in the pane to which it belongs.
 pub(crate) fn call(app: &mut App, call: CommandTarget) {
     match call {
         CommandTarget::Do(action) => act(app, action),

@@ -1,4 +1,4 @@
-//! The texts of the message row and the status row. No drawing.
+//! Texts of the message row and the status row. No drawing.
 
 use crate::tui::app::notice::StatusPart;
 use crate::tui::pages::{self, note};
@@ -8,12 +8,12 @@ use crate::tui::widgets::text::{clip, fitting};
 use cmra_studies::report::wrap::wrap;
 
 const MESSAGE_LINES: usize = 4;
-/// How to begin, at the first start.
+/// Hint at the first start.
 const FIRST_LINE: &str = "Move <down>/<up>, change <left>/<right>, type <enter>, <tab-explore> explore, <tab-limit> limit, <help> help.";
 
 impl App {
-    /// The message area: what stands under the cursor or what the selected row means, and below it the newest message; wrapped.
-    /// A message with more lines than the area has covers what stands above it.
+    /// Returns the lines of the message area: the readout of the cursor or the meaning of the selected row, then the newest message;
+    /// wrapped. A message with more lines than the area covers the rows above it.
     pub fn message_lines(&self, width: usize) -> Vec<(Severity, String)> {
         let room = width.saturating_sub(4).max(10);
         let area = usize::from(self.layout().message.height).max(1);
@@ -37,7 +37,7 @@ impl App {
         all
     }
 
-    /// How to keep the run on the screen, and what it did not need.
+    /// Returns the hint how to pin the current run and what the run omitted.
     fn pin_hint(&self, room: usize) -> Option<String> {
         let is_shown = self.tab == Tab::Run && self.pins.is_empty() && !self.is_stale();
         let run = &self.shown.as_ref().filter(|_| is_shown)?.run;
@@ -60,7 +60,7 @@ impl App {
         Some(fitting(texts, room))
     }
 
-    /// Why an open field refuses its text, or the newest message.
+    /// Returns the error of an open field, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
         let typed = self.field().or_else(|| self.place());
         let refused = typed.and_then(|field| field.error.as_ref());
@@ -80,7 +80,7 @@ impl App {
         Some((severity, self.keymap.shown(&text)))
     }
 
-    /// The parts of the status row, the most important first; what other tabs are computing stands behind the first one.
+    /// Returns the parts of the status row, the most important first; active computations of other tabs follow the first part.
     pub fn status(&self) -> Vec<StatusPart> {
         let mut parts = pages::page(self.tab).status(self);
         let others = pages::all_jobs(self).filter(|(tab, _)| *tab != self.tab && *tab != Tab::Run);
@@ -93,7 +93,7 @@ impl App {
     }
 }
 
-/// A text in so many lines at most; one that is cut has this end.
+/// Wraps a text to at most this many lines; a shortened text ends in `end`.
 fn lines(
     severity: Severity,
     text: &str,

@@ -1,4 +1,4 @@
-//! The rows of a form that set up an axis: its variable, its ends, its points, their spacing.
+//! Form rows of an axis: variable, ends, number of points, spacing.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -11,7 +11,7 @@ use cmra_engine::model::scene::{Scene, SweepAxis};
 use cmra_engine::model::units::{self, Bare};
 use cmra_engine::model::variables::{self, Allowed, Number, VARIABLES, Variable};
 
-/// Digits of a field: as many as a number that was typed may have.
+/// Maximum number of digits of a field.
 pub(crate) const FIELD_DIGITS: usize = 12;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// The row of a form, with the ends in the unit that the variable is shown in.
+    /// Returns the form row, with the ends in the display unit of the variable.
     pub(crate) fn line(self, axis: &SweepAxis, unit: &'static str) -> FormRow {
         let variable = variables::find(&axis.name).ok();
         let end = |label: &str, value: f64| {
@@ -48,7 +48,7 @@ impl Part {
         line.means(variable.map_or_else(|| axis.name.clone(), meaning))
     }
 
-    /// Take another value; counts are of these numbers of points.
+    /// Changes a value; the number of points must be in the given range.
     pub(crate) fn change(
         self,
         axis: &mut SweepAxis,
@@ -80,7 +80,7 @@ impl Part {
     }
 }
 
-/// Another value of an end; it is stepped by the size of the range: from 0 there is no size of its own.
+/// Changes an end. Steps are proportional to the range, because an end at 0 has no magnitude.
 fn changed_end(
     (variable, unit): (&'static Variable, &str),
     end: f64,
@@ -100,12 +100,12 @@ fn changed_end(
     }
 }
 
-/// `gamma: mass ratio of the plate to the projectile`.
+/// Describes a variable: `gamma: mass ratio of the plate to the projectile`.
 pub(crate) fn meaning(variable: &Variable) -> String {
     format!("{}: {}", variable.symbol, variable.meaning)
 }
 
-/// An axis over a variable: the thesis's range, or from half to twice the present value.
+/// Creates an axis over a variable: the thesis's range, or from half to twice the present value.
 pub(crate) fn over(
     scene: &Scene,
     variable: &'static Variable,
@@ -126,7 +126,8 @@ pub(crate) fn over(
     Ok(SweepAxis::linear(variable.symbol, from, to, count))
 }
 
-/// The numeric variables, in the order of the editor: what an axis can be. Of those that give the plate its size the scene's own.
+/// Iterates over the numeric variables in the order of the editor, the possible axes. Of the inputs for the plate's size only the scene's
+/// own is included.
 pub(crate) fn numeric(scene: &Scene) -> impl Iterator<Item = &'static Variable> {
     let is_axis = |variable: &&Variable| {
         variable.number().is_some() && !variables::overrules_size(variable, scene)
@@ -134,7 +135,7 @@ pub(crate) fn numeric(scene: &Scene) -> impl Iterator<Item = &'static Variable> 
     VARIABLES.iter().filter(is_axis)
 }
 
-/// A whole number in a range.
+/// Parses or steps a whole number in a range.
 pub(crate) fn whole<T: FromStr + PartialOrd + Display>(
     text: &str,
     allowed: &RangeInclusive<T>,

@@ -1,12 +1,12 @@
-//! Finding by text: how well a text matches.
+//! Search by text: ranking of matches.
 
 use cmra_engine::model::variables::Variable;
 use cmra_studies::study::quantities::{QUANTITIES, Quantity, named};
 
-/// How well what was typed matches something with these names, described by this text: smaller is better, `None` not at all.
+/// Ranks how well typed text matches an item with these names and this description: smaller is better, `None` for no match.
 ///
-/// A whole name comes first, then the beginning of a name, then the beginnings of words of a name, those of any words, and last a
-/// long part of a word.
+/// The order is: a whole name, the beginning of a name, the beginnings of words of a name, the beginnings of other words, and a long part
+/// of a word.
 pub(crate) fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
     let typed = plain(typed);
     if typed.is_empty() {
@@ -31,10 +31,10 @@ pub(crate) fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
     }
 }
 
-/// Letters from which on a text is found inside a word: fewer are in too many words.
+/// Minimum length of a text that is searched inside words; shorter texts match too many words.
 const PART_LEAST: usize = 5;
 
-/// How well what was typed matches a variable: by symbol, alias, label, or its name on the command line, else by its meaning.
+/// Ranks how well typed text matches a variable: by symbol, alias, label or long name, else by its meaning.
 pub(crate) fn rank_variable(typed: &str, variable: &Variable) -> Option<usize> {
     let name = variable.name();
     let mut names = vec![variable.symbol, variable.label, &name];
@@ -42,7 +42,7 @@ pub(crate) fn rank_variable(typed: &str, variable: &Variable) -> Option<usize> {
     rank(typed, &names, &[variable.key, variable.meaning, variable.group.title()].join(" "))
 }
 
-/// The ones that match, best first; those that match alike stay in their order.
+/// Returns the matching items, best first; equal matches keep their order.
 pub(crate) fn ranked<T>(
     items: impl Iterator<Item = T>,
     rank: impl Fn(&T) -> Option<usize>,
@@ -52,7 +52,7 @@ pub(crate) fn ranked<T>(
     found.into_iter().map(|(_, item)| item).collect()
 }
 
-/// The quantity that is called so on the screen, or by its key.
+/// Finds a quantity by its displayed name or its key.
 pub(crate) fn quantity_called(text: &str) -> Result<&'static Quantity, String> {
     let text = text.trim();
     let titled = QUANTITIES.iter().find(|column| column.title().eq_ignore_ascii_case(text));
@@ -71,10 +71,10 @@ pub(crate) fn quantity_called(text: &str) -> Result<&'static Quantity, String> {
     Err(format!("no quantity is called `{text}`: {hint}"))
 }
 
-/// Quantities that are named where none is called so.
+/// Maximum number of quantities in the hint for an unknown name.
 const NEAR: usize = 4;
 
-/// Lower case, words apart by one blank: `figure 9.8` and `figure-9.8` are the same.
+/// Converts to lower case with words separated by one blank: `figure 9.8` and `figure-9.8` are equal.
 fn plain(text: &str) -> String {
     let text = text.to_lowercase().replace(['-', '_', ':', ','], " ");
     text.split_whitespace().collect::<Vec<_>>().join(" ")

@@ -1,4 +1,4 @@
-//! A form: rows with their values below each other, the field that is open over the selected one.
+//! Form: rows with values in a column, and the open field over the selected row.
 
 use ratatui::layout::Rect;
 
@@ -20,30 +20,30 @@ const VALUE: u16 = 10;
 pub(crate) const VALUE_WIDTH: u16 = 7;
 const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
 
-/// A row of a form: its label, its value, what its field opens with, and what it means.
+/// Row of a form: label, value, initial text of the field, and meaning.
 #[derive(Clone, Default)]
 pub(crate) struct FormRow {
     pub label: String,
-    /// At the right; empty where the label is the value.
+    /// Value at the right; empty if the label is the value.
     pub value: String,
-    /// After the value.
+    /// Unit after the value.
     pub unit: &'static str,
-    /// The text that its field opens with; `None` where Enter takes the next value.
+    /// Initial text of the field; `None` if Enter takes the next value.
     pub text: Option<String>,
     /// Meaning, for the message area.
     pub meaning: String,
-    /// Quantity of its field; `None` for text.
+    /// Quantity of the field; `None` for text.
     pub quantity: Option<FieldQuantity>,
-    /// Headings are titles; a value that has no effect at present is dim.
+    /// Role: title for headings, dim for values without an effect.
     pub role: Role,
 }
 
-/// The quantity that a field reads.
+/// Quantity of a field.
 #[derive(Clone, Default)]
 pub(crate) struct FieldQuantity {
-    /// The unit of a bare number; empty for a pure number.
+    /// Unit of a bare number; empty for a pure number.
     pub unit: String,
-    /// The variable that is shown in this unit.
+    /// Variable displayed in this unit.
     pub variable: Option<&'static Variable>,
 }
 
@@ -52,7 +52,7 @@ impl FormRow {
         Self { role: Role::Title, ..Self::choice(label, "") }
     }
 
-    /// A row whose values are gone through.
+    /// Creates a row whose values are stepped through.
     pub(crate) fn choice(label: &str, value: impl Into<String>) -> Self {
         Self { label: label.to_owned(), value: value.into(), ..Self::default() }
     }
@@ -80,7 +80,7 @@ impl FormRow {
         self.role == Role::Title
     }
 
-    /// The column in which its field begins.
+    /// Returns the first column of the field.
     fn field(&self) -> u16 {
         if self.value.is_empty() { LABEL } else { VALUE }
     }
@@ -92,12 +92,12 @@ impl FormRow {
         }
         let room = |start: u16| usize::from(area.width.saturating_sub(start));
         let label = canvas.put(area, (LABEL, 0), &clip(&self.label, room(LABEL)), self.role);
-        // A long name moves its value to the right, a long value begins further left.
+        // A long name moves the value to the right; a long value begins further left.
         let wide = columns(&self.value);
         let start = (VALUE + VALUE_WIDTH).saturating_sub(wide).max(VALUE);
         let start = start.min(area.width.saturating_sub(wide)).max(label + 1);
         let end = canvas.put(area, (start, 0), &clip(&self.value, room(start)), self.role);
-        // Half a unit would be another one.
+        // A truncated unit would be another unit.
         if end < UNIT && UNIT + columns(self.unit) <= area.width {
             canvas.put(area, (UNIT, 0), self.unit, Role::Dim);
         }
@@ -111,7 +111,7 @@ pub(crate) fn quantity_meaning(name: &str) -> String {
     )
 }
 
-/// The name of another quantity: the one that was typed, or the next one, in a circle.
+/// Returns the name of another quantity: the typed one, or the next one, cyclically.
 pub(crate) fn quantity_after(name: &str, input: Input<'_>) -> Result<&'static str, String> {
     match input {
         Input::Text(text) => quantity_called(text).map(|quantity| quantity.name),
@@ -122,7 +122,7 @@ pub(crate) fn quantity_after(name: &str, input: Input<'_>) -> Result<&'static st
     }
 }
 
-/// The setup of a study.
+/// Setup of a study.
 pub(crate) struct Form {
     /// Rows, headings included.
     lines: Vec<FormRow>,
@@ -130,7 +130,7 @@ pub(crate) struct Form {
 }
 
 impl Form {
-    /// A form of these rows with one of them selected, the first one where it is not among them.
+    /// Creates a form from these rows with a selected row; selects the first if it does not exist.
     pub(crate) fn new<R: Copy + PartialEq>(
         rows: &[R],
         selected: R,
@@ -155,7 +155,7 @@ impl Form {
         Rows { count, selected, shown }
     }
 
-    /// Draw it into a frame. Where its pane has the keys (`on`) it keeps the selected row in sight, with the field that is open.
+    /// Draws the form into a frame. If its pane has the focus (`on`), the selected row with its open field is kept visible.
     pub(crate) fn render(
         &self,
         (pane, on): (Pane, bool),
@@ -166,7 +166,7 @@ impl Form {
         let field = field.filter(|_| on);
         let list = RowList {
             count: self.lines.len(),
-            // Without the keys it shows its beginning.
+            // Without the focus, show the beginning.
             selected: if on { self.selected } else { 0 },
             painted: on && field.is_none(),
         };

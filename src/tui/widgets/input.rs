@@ -1,4 +1,4 @@
-//! Input fields of a single line: editing, ending and drawing.
+//! Single-line input fields: editing, closing and drawing.
 
 use crossterm::event::{Event, KeyCode, KeyEvent, KeyModifiers};
 use ratatui::layout::Rect;
@@ -11,21 +11,20 @@ use crate::files::clean;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 
-/// No field of the workbench takes a longer text: characters that are not typed on purpose (a paste that came as keys, a book on
-/// the keyboard) are dropped.
+/// Maximum length of a text. Larger input is accidental, such as a paste received as keys, and is truncated.
 pub(crate) const TEXT_MAX: usize = 1024;
 
 #[derive(Clone, Debug, Default)]
 pub struct TextField {
     pub input: Input,
-    /// The whole text is selected: the first character replaces it.
+    /// Whether the whole text is selected and will be replaced by the first character.
     pub all_selected: bool,
-    /// Why the text is refused.
+    /// Reason why the text is rejected.
     pub error: Option<String>,
 }
 
 impl TextField {
-    /// A field with a text and the cursor behind it.
+    /// Creates a field with a text and the cursor after it.
     pub fn new(text: impl Into<String>) -> Self {
         Self { input: Input::new(text.into()), ..Self::default() }
     }
@@ -38,9 +37,9 @@ impl TextField {
         self.input.value()
     }
 
-    /// Put a key into the field; whether it was one for a field.
+    /// Handles a key; returns whether the field uses it.
     pub fn press(&mut self, key: KeyEvent) -> bool {
-        // A pasted text may hold what commands a terminal, or turns the direction of a line.
+        // Pasted text may contain control characters or change the reading direction.
         let is_command =
             matches!(key.code, KeyCode::Char(c) if clean::line(&c.to_string()) != c.to_string());
         let request = to_input_request(&Event::Key(key)).filter(|_| !is_command);
@@ -63,7 +62,7 @@ impl TextField {
         true
     }
 
-    /// Put a text into the field, as if it had been typed.
+    /// Inserts a text as if it were typed.
     pub fn insert(&mut self, text: &str) {
         for c in text.chars() {
             self.press(KeyEvent::new(KeyCode::Char(c), KeyModifiers::NONE));
@@ -80,7 +79,7 @@ impl TextField {
         canvas.cursor = Some((area.x + at, area.y));
     }
 
-    /// Draw the field over its row as `[ 1.25_  ]`, from a column on, with room for a given number of characters.
+    /// Draws the field over its row as `[ 1.25_  ]`, starting at a column, with a given number of characters.
     pub(crate) fn draw_boxed(&self, canvas: &mut Canvas<'_>, row: Rect, start: u16, room: u16) {
         let blank = " ".repeat(usize::from(room));
         canvas.put(row, (start, 0), &blank, Role::Text);
@@ -93,7 +92,7 @@ impl TextField {
         }
     }
 
-    /// Write the part of the text around the cursor; gives the column of the cursor.
+    /// Draws the part of the text around the cursor; returns the column of the cursor.
     pub(crate) fn put(&self, canvas: &mut Canvas<'_>, area: Rect, role: Role) -> u16 {
         let scroll = self.input.visual_scroll(usize::from(area.width.saturating_sub(1)));
         let columns = |count: usize| u16::try_from(count).unwrap_or(u16::MAX);
@@ -131,7 +130,7 @@ mod tests {
         for (text, room, part, cursor) in [
             ("abc", 10, "abc", 3),
             ("abcdefghij", 5, "ghij", 4),
-            // Twelve columns in six characters: the cursor is behind the last one.
+            // Six characters of twelve columns; the cursor is after the last one.
             ("\u{65e5}\u{672c}\u{8a9e}\u{65e5}\u{672c}\u{8a9e}", 5, "\u{672c}\u{8a9e}", 4),
             ("", 5, "", 0),
             ("abc", 0, "", 0),

@@ -1,40 +1,40 @@
-//! Where the rows and the body of the screen stand: a total function of the size.
+//! Layout of the rows and the body of the screen, for every size.
 
 use ratatui::layout::{self, Constraint, Rect};
 
-/// The smallest size that can be worked with: columns and rows.
+/// Minimum screen size, columns and rows.
 pub(crate) const SMALLEST: (u16, u16) = (60, 16);
 
-/// Least rows of a chart that can be read.
+/// Minimum rows of a readable chart.
 pub(crate) const CHART_ROWS: u16 = 9;
-/// Below this width the setup and what it is about get in each other's way.
+/// Minimum width for a setup and its results side by side.
 pub(crate) const NARROW: u16 = 72;
-/// From this width on a setup has room for long words.
+/// Minimum width for long labels in a setup.
 pub(crate) const WIDE: u16 = 100;
-/// From this width on names of runs stand in full beside their results.
+/// Minimum width for full names of runs beside their results.
 pub(crate) const ROOMY: u16 = 120;
 
-/// From this height on the names of the pages have a row.
+/// Minimum height for a row with the names of the pages.
 const WITH_PAGES: u16 = 18;
 
-/// From this height on messages have two rows: always the same number, so that the panes never move.
+/// Minimum height for two message rows. The number is constant, so that the panes do not move.
 const TWO_MESSAGE_ROWS: u16 = 20;
 
-/// Where everything stands that every tab has.
+/// Areas common to all tabs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layout {
-    /// Tabs and preset.
+    /// Row of tabs and preset.
     pub title: Rect,
-    /// The names of the tab's pages, where it has several.
+    /// Row of the names of the tab's pages, if there are several.
     pub pages: Option<Rect>,
-    /// The panes; `None` where nothing fits.
+    /// Area of the panes; `None` if the screen is too small.
     pub body: Option<Rect>,
     pub message: Rect,
     pub status: Rect,
     pub keys: Rect,
 }
 
-/// Where everything stands at a size, for a tab with several pages or one, with a row for hints or without.
+/// Computes the layout for a screen size, a tab with one or several pages, and an optional row for hints.
 pub(crate) fn layout((width, height): (u16, u16), has_pages: bool, has_hint: bool) -> Layout {
     let messages = if height < TWO_MESSAGE_ROWS || !has_hint { 1 } else { 2 };
     // On the lowest screens the frame of the pane names the page.
@@ -58,7 +58,7 @@ pub(crate) fn layout((width, height): (u16, u16), has_pages: bool, has_hint: boo
     }
 }
 
-/// Columns of a setup beside what it is about, in a body so wide.
+/// Returns the width of a setup beside its results, in a body of this width.
 pub(crate) fn setup_width(width: u16) -> u16 {
     match width {
         0..NARROW => 24,
@@ -67,18 +67,18 @@ pub(crate) fn setup_width(width: u16) -> u16 {
     }
 }
 
-/// The columns at the left, at most this many, and the rest.
+/// Splits off the left columns, at most this many; returns them and the rest.
 pub(crate) fn split_left(area: Rect, width: u16) -> (Rect, Rect) {
     let width = width.min(area.width);
     (Rect { width, ..area }, Rect { x: area.x + width, width: area.width - width, ..area })
 }
 
-/// The rows at the top, at most so many, and the rest.
+/// Splits off the top rows, at most this many; returns them and the rest.
 pub(crate) fn split_top(area: Rect, height: u16) -> (Rect, Rect) {
     split_bottom(area, area.height.saturating_sub(height))
 }
 
-/// The rows above, and those at the bottom, at most this many.
+/// Splits off the bottom rows, at most this many; returns the rest and them.
 pub(crate) fn split_bottom(area: Rect, height: u16) -> (Rect, Rect) {
     let height = height.min(area.height);
     let top = Rect { height: area.height - height, ..area };

@@ -1,4 +1,4 @@
-//! A map in its pane, and in the rows below it what its bands, its contour and its letters mean.
+//! Map in a pane, with the legend of its bands, contour and letters below.
 
 use ratatui::layout::Rect;
 
@@ -10,10 +10,10 @@ use crate::tui::widgets::{Canvas, split_bottom};
 use cmra_engine::model::units::significant;
 use cmra_studies::report::map::{Cell, Map, MapMark};
 
-/// Part of the rows that words below a map may take.
+/// Percentage of the rows that the legend may take.
 const WORDS: u16 = 10;
 
-/// A letter and what it means in a few words.
+/// Formats a letter with its meaning in a few words.
 fn named(mark: &MapMark) -> String {
     match mark.letter {
         ' ' => format!("blank {}", mark.label),
@@ -22,7 +22,7 @@ fn named(mark: &MapMark) -> String {
 }
 
 impl Canvas<'_> {
-    /// Draw a map with its key, and tell where everything lies.
+    /// Draws a map with its legend; returns the layout.
     pub(crate) fn draw_map(&mut self, map: &Map<'_>, area: Rect) -> Layout {
         let is_drawn = |letter: char| {
             let mut marks = map.cells.iter();
@@ -53,7 +53,7 @@ impl Canvas<'_> {
         layout
     }
 
-    /// The bands in one row, each with its lower bound: where all have no room, every second one, every third one, ...
+    /// Draws the bands in a row, each with its lower bound; if they do not all fit, every second one, every third one, and so on.
     fn put_bands(&mut self, map: &Map<'_>, area: Rect) {
         let Some(levels) = &map.levels else { return };
         let range = ViewRange::from_values(Scale::Linear, map.values()).unwrap_or_default();

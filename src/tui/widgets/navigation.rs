@@ -1,9 +1,9 @@
-//! Actions as movements: by rows, along a chart, over a map, round a list of choices, of a value.
+//! Movements of actions: by rows, along a chart, over a map, through choices, and steps of a value.
 
 use crate::tui::keymap::Action;
 use crate::tui::widgets::value_steps::StepKey;
 
-/// By how many rows an action moves in a list that shows this many at once; `None` for other actions.
+/// Returns the number of rows by which an action moves in a list with this many visible rows; `None` for other actions.
 pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
     let page = isize::try_from(page.max(2) - 1).unwrap_or(1);
     match action {
@@ -17,17 +17,17 @@ pub(crate) fn rows_moved(action: Action, page: usize) -> Option<isize> {
     }
 }
 
-/// Far, and a page: so many points or columns.
+/// Points or columns of a large movement.
 const FAR: isize = 10;
 
-/// How far along an action moves a cursor.
+/// Returns the horizontal cursor movement of an action.
 pub(crate) fn along(action: Action) -> Option<isize> {
     let StepKey { up, is_far } = step_of(action)?;
     let by = if is_far { FAR } else { 1 };
     Some(if up { by } else { -by })
 }
 
-/// How far along and upward an action moves a cursor.
+/// Returns the horizontal and vertical cursor movement of an action.
 pub(crate) fn cursor_moved(action: Action) -> Option<(isize, isize)> {
     match action {
         Action::Up => Some((0, 1)),
@@ -40,7 +40,7 @@ pub(crate) fn cursor_moved(action: Action) -> Option<(isize, isize)> {
     }
 }
 
-/// A cell of a map moved across and upward, within so many columns and rows.
+/// Moves a cell of a map, within its columns and rows.
 pub(crate) fn moved(
     (x, y): (usize, usize),
     (across, up): (isize, isize),
@@ -51,7 +51,7 @@ pub(crate) fn moved(
     (along(x, across, columns), along(y, up, rows))
 }
 
-/// Up or down, and by how much, an action steps a value.
+/// Returns the value step of an action.
 pub(crate) fn step_of(action: Action) -> Option<StepKey> {
     let (up, is_far) = match action {
         Action::Left => (false, false),
@@ -63,13 +63,13 @@ pub(crate) fn step_of(action: Action) -> Option<StepKey> {
     Some(StepKey { up, is_far })
 }
 
-/// The one by this many places further on, round and round.
+/// Returns the item a number of places further on, cyclically.
 pub(crate) fn around<T: Copy + PartialEq>(all: &[T], one: T, by: isize) -> T {
     let at = all.iter().position(|other| *other == one).unwrap_or(0);
     all[cycled(at, by, all.len())]
 }
 
-/// `at` moved by a few places within `0..count`, round and round.
+/// Moves an index within `0..count`, cyclically.
 pub(crate) fn cycled(at: usize, by: isize, count: usize) -> usize {
     (at + count).saturating_add_signed(by) % count.max(1)
 }

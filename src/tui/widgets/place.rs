@@ -1,6 +1,6 @@
-//! The text of a place on a chart or a map: values of its axes by name, `n 0.5`, `n=0.5 k=1MN/m`, or the first one's alone.
+//! Text of a position on a chart or a map: axis values by name, `n 0.5`, `n=0.5 k=1MN/m`, or the value of the first axis alone.
 
-/// The values that a text gives axes of these names, as written; `None` where it does not name an axis.
+/// Splits a text into the values of the named axes; `None` for an axis that is not named.
 fn written(text: &str, names: &[&str]) -> Vec<Option<String>> {
     let mut found: Vec<Option<String>> = vec![None; names.len()];
     let mut axis = 0;
@@ -15,7 +15,7 @@ fn written(text: &str, names: &[&str]) -> Vec<Option<String>> {
     found
 }
 
-/// The values of a place on axes of these names, read by their number; a refusal says how a place is written.
+/// Parses the values of a position on the named axes; errors describe the notation.
 pub(crate) fn values(
     text: &str,
     names: &[&str],
@@ -34,7 +34,7 @@ pub(crate) fn values(
     found.into_iter().enumerate().map(value).collect()
 }
 
-/// Refuses a value that is not on its axis.
+/// Rejects a value outside its axis.
 pub(crate) fn on_axis(
     name: &str,
     value: f64,
@@ -42,7 +42,7 @@ pub(crate) fn on_axis(
     show: impl Fn(f64) -> String,
 ) -> Result<f64, String> {
     let (low, high) = (ends.0.min(ends.1), ends.0.max(ends.1));
-    // The ends are written in fewer digits than they have.
+    // The ends are displayed with fewer digits than stored.
     let slack = 1e-6 * (high - low);
     if (low - slack..=high + slack).contains(&value) {
         return Ok(value);

@@ -1,23 +1,23 @@
-//! Tables on the screen: the first column always, beside it as many of the others as have room.
+//! Tables on the screen: the first column always, and as many others as fit.
 
 use crate::tui::widgets::text::fitted;
 use cmra_studies::report::table::Cells;
 
-/// Least columns of the names of a table's rows, where they may be shortened.
+/// Minimum columns for the names of a table's rows if they may be shortened.
 pub(crate) const NAME_LEAST: u16 = 12;
 
-/// From this width on two blanks stand between columns, one below it.
+/// Minimum width for two blanks between columns, else one.
 const WIDE: u16 = 60;
 
 pub(crate) struct Grid {
     cells: Vec<Cells>,
-    /// The separator of two columns.
+    /// Separator of two columns.
     gap: &'static str,
 }
 
 impl Grid {
-    /// As many columns as fit beside names in the first one of at least so many columns of the screen; longer names are shortened to
-    /// the room that is left.
+    /// Creates a table with as many columns as fit beside a first column of at least `least` columns; longer names are shortened to the
+    /// remaining width.
     pub(crate) fn new(mut cells: Vec<Cells>, width: u16, least: u16) -> Self {
         let room = usize::from(width);
         let name = cells.first().map_or(0, Cells::width).min(usize::from(least));
@@ -38,16 +38,16 @@ impl Grid {
         Self { cells, gap }
     }
 
-    /// The headings, or the cells of a row.
+    /// Returns the headings, or the cells of a row.
     pub(crate) fn line(&self, row: Option<usize>) -> String {
         self.cells.iter().map(|column| column.padded(row)).collect::<Vec<_>>().join(self.gap)
     }
 }
 
-/// The words of a table without a row that matches.
+/// Text of a table without matching rows.
 pub(crate) const NO_MATCH: &str = "no row matches: <back> shows all of them";
 
-/// A title with the text that the rows below it match.
+/// Returns a title with the filter text of its rows.
 pub(crate) fn filtered(title: &str, filter: &str) -> String {
     if filter.is_empty() { title.to_owned() } else { format!("{title} /{filter}") }
 }

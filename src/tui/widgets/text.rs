@@ -1,4 +1,4 @@
-//! Text in cells: how wide it is, how it is cut and wrapped.
+//! Text in cells: width, truncation and wrapping.
 
 use crate::tui::theme::{self, Role};
 use cmra_studies::report::wrap::wrap;
@@ -7,10 +7,10 @@ pub(crate) fn columns(text: &str) -> u16 {
     u16::try_from(theme::columns(text)).unwrap_or(u16::MAX)
 }
 
-/// A line of text, and how it is drawn.
+/// Line of text with its role.
 pub(crate) type TextLine = (String, Role);
 
-/// Lines over as many rows of this many columns as each needs; a line that fits keeps its blanks.
+/// Wraps lines to this many columns; a line that fits keeps its blanks.
 pub(crate) fn broken(lines: Vec<TextLine>, width: usize) -> Vec<TextLine> {
     let parts = |(text, role): TextLine| {
         let fits = theme::columns(&text) <= width;
@@ -20,7 +20,7 @@ pub(crate) fn broken(lines: Vec<TextLine>, width: usize) -> Vec<TextLine> {
     lines.into_iter().flat_map(parts).collect()
 }
 
-/// The lines of a text of at most this many columns, all in one role.
+/// Wraps a text to at most this many columns, in a single role.
 pub(crate) fn wrapped(
     text: &str,
     width: u16,
@@ -29,7 +29,7 @@ pub(crate) fn wrapped(
     wrap(text, usize::from(width)).into_iter().map(move |line| (line, role))
 }
 
-/// The first row of a list to show so that the selected one is in sight.
+/// Returns the first visible row of a list for which the selected row is visible.
 pub(crate) fn first_row(selected: usize, height: usize, count: usize) -> usize {
     let most = count.saturating_sub(height);
     selected.saturating_sub(height.saturating_sub(1) * 2 / 3).min(most)
@@ -41,7 +41,7 @@ pub(crate) fn counted(first: usize, shown: usize, count: usize) -> String {
     if count > shown { format!("{}-{last}/{count}", first + 1) } else { String::new() }
 }
 
-/// At most `width` characters; what is cut ends in `..`.
+/// Truncates to at most `width` characters; a truncated text ends in `..`.
 pub(crate) fn clip(text: &str, width: usize) -> String {
     if theme::columns(text) <= width {
         return text.to_owned();
@@ -50,7 +50,7 @@ pub(crate) fn clip(text: &str, width: usize) -> String {
     kept.trim_end().to_owned() + ".."
 }
 
-/// The first of some texts, each shorter than the one before, that goes into a given number of columns; the last one is cut.
+/// Returns the first of some texts, in order of decreasing length, that fits into the columns; truncates the last one.
 pub(crate) fn fitting(texts: impl IntoIterator<Item = String>, width: usize) -> String {
     let mut shortest = String::new();
     for text in texts {
@@ -62,7 +62,7 @@ pub(crate) fn fitting(texts: impl IntoIterator<Item = String>, width: usize) -> 
     clip(&shortest, width)
 }
 
-/// How many bytes of a text go into a given number of columns.
+/// Returns the number of bytes of a text that fit into the columns.
 fn fits(text: &str, width: usize) -> usize {
     let mut taken = 0;
     text.char_indices()
@@ -73,7 +73,7 @@ fn fits(text: &str, width: usize) -> usize {
         .map_or(text.len(), |(at, _)| at)
 }
 
-/// A result's title with shorter words, still distinguished from every other.
+/// Shortens the words of a result's title, keeping titles distinct.
 pub(crate) fn shortened(title: &str) -> String {
     let words = [
         ("% of rigid-mount depth", "% rigid mount"),
@@ -84,7 +84,7 @@ pub(crate) fn shortened(title: &str) -> String {
     words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word))
 }
 
-/// A result's title in a given number of columns: in shorter words where it is too long.
+/// Fits a result's title into the columns, with shorter words if necessary.
 pub(crate) fn fitted(title: &str, width: usize) -> String {
     if theme::columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
 }
@@ -101,7 +101,7 @@ mod tests {
         assert_eq!(clip(wide, 5), "\u{65e5}..");
         assert_eq!(wrap(wide, 4), ["\u{65e5}\u{672c}", "\u{8a9e}"]);
         assert_eq!(wrap(&format!("a {wide} b"), 8), [format!("a {wide}"), "b".to_owned()]);
-        // Narrower than any of them: nothing is lost, and it ends.
+        // Narrower than any character: no text is lost, and the function returns.
         assert_eq!(wrap(wide, 1).concat(), wide);
         assert_eq!(wrap("one two", 3), ["one", "two"]);
     }

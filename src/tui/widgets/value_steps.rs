@@ -1,10 +1,10 @@
-//! How the arrow keys step a number: by the last shown figure, or by a factor of 10^0.1, never into the impossible.
+//! Steps of a number by arrow keys: by the last displayed digit, or by a factor of 10^0.1, within the allowed values.
 
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{self, Dimension, significant};
 use cmra_engine::model::variables::{Allowed, Number, Variable};
 
-/// A number in at most `width` characters.
+/// Formats a number with at most `width` characters.
 pub(crate) fn shown_number(number: f64, width: usize) -> String {
     (1..=6)
         .rev()
@@ -13,7 +13,7 @@ pub(crate) fn shown_number(number: f64, width: usize) -> String {
         .unwrap_or_else(|| format!("{number:.0e}"))
 }
 
-/// A value with prefix and unit, four figures: `19.26 kN`; a pure number has no prefix.
+/// Formats a value with prefix and unit, four digits: `19.26 kN`; a pure number has no prefix.
 pub(crate) fn engineering(value: f64, unit: &'static str) -> String {
     if unit.is_empty() { significant(value, 4) } else { units::engineering(value, unit, 4) }
 }
@@ -29,22 +29,22 @@ pub(crate) enum Input<'a> {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct StepKey {
-    /// To the next value; else to the one before.
+    /// Whether the step is upward.
     pub up: bool,
-    /// Ten steps at once.
+    /// Whether to take ten steps at once.
     pub is_far: bool,
 }
 
 impl StepKey {
     pub(crate) const NEXT: Self = Self { up: true, is_far: false };
 
-    /// The number of values a choice goes on by.
+    /// Returns the number of choices by which the step moves.
     pub(crate) fn by(self) -> isize {
         if self.up { 1 } else { -1 }
     }
 }
 
-/// The decade of a plain linear step from this value: the last figure shown, made finer where that is a fifth of it or more.
+/// Returns the decade of a linear step from this value: the last displayed digit; finer if that is a fifth of the value or more.
 pub(crate) fn decade(variable: &Variable, value: f64) -> i32 {
     if value == 0.0 {
         return decade_at_zero(variable);
@@ -69,9 +69,9 @@ fn decade_at_zero(variable: &Variable) -> i32 {
     }
 }
 
-/// The value one press away, `None` where that would make no physical sense.
+/// Returns the value after one step; `None` if it would make no physical sense.
 ///
-/// `plain` is the decade of a plain linear step ([`decade`]); up and down by the same one come back to the same value.
+/// `plain` is the decade of a linear step ([`decade`]). Equal steps up and down return to the same value.
 pub(crate) fn stepped(variable: &Variable, value: f64, press: StepKey, plain: i32) -> Option<f64> {
     let number = variable.number()?;
     let next = if variable.is_log {
@@ -83,7 +83,7 @@ pub(crate) fn stepped(variable: &Variable, value: f64, press: StepKey, plain: i3
     (number.allowed.contains(next) && next.to_bits() != value.to_bits()).then_some(next)
 }
 
-/// A value to begin with where there was none: the plate's size as it is, in three digits.
+/// Returns the initial value of a missing number; for the plate's size its present value in three digits.
 pub(crate) fn first_value(variable: &Variable, number: &Number, scene: &Scene) -> f64 {
     let now = match variable.key {
         "plate.mass_kg" => scene.plate_mass_kg(),
@@ -100,7 +100,7 @@ fn linear(value: f64, up: bool, decade: i32) -> f64 {
     if decade >= 0 {
         return (raw / step).round() * step;
     }
-    // Rounded as text, so that 0.3 + 0.1 is 0.4 and not 0.4000000000000001.
+    // Round as text, so that 0.3 + 0.1 is 0.4 and not 0.4000000000000001.
     let places = usize::try_from(-decade).unwrap_or(0) + 1;
     let rounded: f64 = format!("{raw:.places$}").parse().unwrap_or(raw);
     if rounded == 0.0 { 0.0 } else { rounded }
@@ -108,7 +108,7 @@ fn linear(value: f64, up: bool, decade: i32) -> f64 {
 
 fn logarithmic(variable: &Variable, value: f64, StepKey { up, is_far }: StepKey) -> f64 {
     let high = variable.thesis_range.map_or(1e6, |(_, high)| high);
-    // The first value above zero.
+    // First value above zero.
     let smallest = 10f64.powf((high * 1e-3).log10().floor());
     if value == 0.0 {
         return if up { smallest } else { 0.0 };
@@ -120,14 +120,14 @@ fn logarithmic(variable: &Variable, value: f64, StepKey { up, is_far }: StepKey)
     let size = if is_far { 10.0 } else { 1.0 };
     let tenths = if up { size } else { -size };
     let exponent = value.log10() * 10.0 + tenths;
-    // Near a tenth of a decade: exactly there, so that up and down meet again.
+    // Snap to tenths of a decade, so that up and down return to the same value.
     let snapped = exponent.round();
     let exponent = if (exponent - snapped).abs() < 0.05 { snapped } else { exponent };
     let exact = 10f64.powf(exponent / 10.0);
     format!("{exact:.2e}").parse().unwrap_or(exact)
 }
 
-/// A step over the edge of a closed range ends on the edge.
+/// Limits a step across the end of a closed range to the end.
 fn clamp(number: &Number, value: f64, next: f64) -> f64 {
     match number.allowed {
         Allowed::Between(low, high) => next.clamp(low, high),

@@ -1,4 +1,4 @@
-//! The Pareto front: its setup, its request, and what was found.
+//! Pareto front: setup, request, and presentation of the result.
 
 use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend};
@@ -112,7 +112,7 @@ impl Answer for FrontReport {
         })
     }
 
-    /// The designs as a table: a heading, then one row for each design; then why there are none.
+    /// Returns the table of the designs: a heading, then one row for each; reasons if there are none.
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
         let tab = &app.pages.search;
         let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
@@ -135,7 +135,7 @@ impl Answer for FrontReport {
         !self.designs.is_empty()
     }
 
-    /// Designs as points.
+    /// Draws the designs as points.
     fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let (across, up) = axes(self);
         let measures = self.request.measures();
@@ -143,7 +143,7 @@ impl Answer for FrontReport {
             let values =
                 || self.designs.iter().filter_map(|it| it.measures.get(at).copied().flatten());
             let axis = Axis::fitted(label, measures[at].unit(), values())?;
-            // Nothing that is never below zero has room there.
+            // Do not extend the axis below zero for values that are never negative.
             let has_room = values().any(|value| value < 0.0);
             let lo = if has_room { axis.view.lo() } else { axis.view.lo().max(0.0) };
             Some(Axis { view: ViewRange::new(lo, axis.view.hi()), ..axis })
@@ -173,11 +173,11 @@ impl Answer for FrontReport {
     }
 }
 
-/// The columns of the table of designs.
+/// Returns the columns of the table of designs.
 fn design_cells(tab: &Searching, front: &FrontReport) -> Vec<Cells> {
     let objectives = front.request.objectives.len();
     let mut keys = page_keys(front);
-    // The objectives first, then the variables.
+    // Objectives first, then variables.
     keys[..front.request.over.len() + objectives].rotate_left(front.request.over.len());
     let knee = tab.knee();
     let name = |at| if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };

@@ -1,4 +1,4 @@
-//! Monte Carlo: its setup, its request, and what was found.
+//! Monte Carlo: setup, request, and presentation of the result.
 
 use crate::tui::chart::{Axis, Chart, Curve, Mark};
 use crate::tui::pages::page::prelude::*;
@@ -12,9 +12,9 @@ use cmra_studies::study::monte_carlo::{
     DEFAULT_DEVIATION, MonteCarloReport, Request, Summary, default_tolerances,
 };
 
-/// Columns of the histogram's bins.
+/// Number of bins of the histogram.
 const BINS: usize = 40;
-/// The columns shown.
+/// Displayed columns.
 const QUANTILES: [&str; 5] = ["output", "q05", "q50", "q95", "nominal"];
 
 pub(super) const STUDY: Study = Study {
@@ -38,7 +38,7 @@ fn request(app: &App) -> SearchRequest {
     SearchRequest::MonteCarlo(Request { vary, samples, ..Request::default() })
 }
 
-/// The measure that the page draws, with its values.
+/// Returns the measure drawn on the page, with its values.
 fn drawn<'r>(report: &'r MonteCarloReport, tab: &Searching) -> Option<&'r Summary> {
     report.summaries.iter().find(|summary| summary.measure.name == tab.setup.output)
 }
@@ -74,7 +74,7 @@ impl Answer for MonteCarloReport {
         drawn(self, tab).is_some_and(|it| !it.sorted.is_empty())
     }
 
-    /// How often a value falls into each of some bins, as steps.
+    /// Draws the histogram of the values as steps.
     fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let tab = &app.pages.search;
         let Some(summary) = drawn(self, tab) else { return };
@@ -89,7 +89,7 @@ impl Answer for MonteCarloReport {
             let percent = 100.0 * (until - below(from)) as f64 / sorted.len() as f64;
             steps.extend([(from, percent), (to, percent)]);
         }
-        // Room above for the tags.
+        // Leave room above for the tags.
         let highest = steps.iter().map(|step| 1.3 * step.1);
         let values = sorted.iter().copied();
         let x = Axis::fitted(measure.title(), measure.unit(), values);

@@ -9,16 +9,16 @@ use crate::tui::widgets::layout::CHART_ROWS;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 use cmra_studies::study::search::front::{Design, FrontReport};
 
-/// Rows of words that a chart must leave, frame included.
+/// Minimum number of rows for text below a chart, frame included.
 const MIN_WORDS: u16 = 6;
 
 impl Searching {
-    /// The result of the page shown, once there is any.
+    /// Returns the result of the shown page; `None` before the first one.
     pub fn shown(&self) -> Option<&CachedResult<SearchAnswer>> {
         Some(&self.results[self.page as usize]).filter(|kept| kept.result.is_some())
     }
 
-    /// Why the page shown cannot be computed.
+    /// Returns the reason why the shown page cannot be computed.
     pub fn problem(&self) -> Option<&String> {
         self.problem[self.page as usize].as_ref()
     }
@@ -35,7 +35,7 @@ impl Searching {
         Some(self.shown()?.result.as_ref()?.answer())
     }
 
-    /// How many things the cursor can stand on.
+    /// Returns the number of items that can be selected.
     pub fn choices(&self) -> usize {
         self.answer().map_or(0, Answer::choices)
     }
@@ -52,20 +52,20 @@ impl Searching {
         }
     }
 
-    /// The first line shown of a page without designs to choose from.
+    /// Returns the first visible line of a page without selectable designs.
     pub fn scrolled(&self) -> usize {
         self.cursor[self.page as usize].unwrap_or(0)
     }
 
-    /// The row of the selected one of them: of a front its knee, until another one is selected; the first where there is none.
+    /// Returns the row of the selected item: on a front the knee until another design is selected, else the first one.
     pub fn selected(&self) -> usize {
         let knee = || self.knee().filter(|_| self.page == Page::Front);
         let chosen = self.cursor[self.page as usize].or_else(knee);
         chosen.filter(|at| *at < self.choices()).unwrap_or(0)
     }
 
-    /// The knee of the front, by its place: the design farthest from the line between the ends of the two axes shown, each axis by its
-    /// range on the front; `None` where there is no such line.
+    /// Returns the index of the front's knee: the design farthest from the line between the ends of the two drawn axes, each scaled by its
+    /// range on the front; `None` if there is no such line.
     pub fn knee(&self) -> Option<usize> {
         let front = self.front()?;
         let places: Vec<Option<(f64, f64)>> =
@@ -77,19 +77,19 @@ impl Searching {
             (most > least).then_some((least, most - least))
         };
         let ((x0, width), (y0, height)) = (range(|it| it.0)?, range(|it| it.1)?);
-        // Both objectives are to be small: the knee is nearest to the corner of both least values, along the diagonal.
+        // Both objectives are minimised: the knee is nearest to the corner of both minima, along the diagonal.
         let depth = |(x, y): (f64, f64)| (x - x0) / width + (y - y0) / height;
         let known = places.iter().enumerate().filter_map(|(at, place)| Some((at, (*place)?)));
         known.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1))).map(|(at, _)| at)
     }
 }
 
-/// The places of the measures of a front that are drawn across and up: the first two objectives.
+/// Returns the indices of the measures on the horizontal and vertical axis: the first two objectives.
 pub(super) fn axes(front: &FrontReport) -> (usize, usize) {
     (0, 1.min(front.request.measures().len().saturating_sub(1)))
 }
 
-/// Where a design stands between these axes.
+/// Returns the position of a design on these axes.
 pub(super) fn place(front: &FrontReport, design: &Design) -> Option<(f64, f64)> {
     let value = |at: usize| design.measures.get(at).copied().flatten();
     let (across, up) = axes(front);
@@ -97,7 +97,7 @@ pub(super) fn place(front: &FrontReport, design: &Design) -> Option<(f64, f64)> 
 }
 
 impl App {
-    /// The search of a page that has not ended.
+    /// Returns the active search of a page.
     pub fn searching(&self, page: Page) -> Option<&Running> {
         let is_own = |request: &Arc<SearchRequest>| Page::from_request(request) == page;
         let mut studies = self.jobs.studies.iter();
@@ -110,8 +110,8 @@ impl App {
         answer.map_or_else(Vec::new, |answer| answer.lines(self, width))
     }
 
-    /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do not
-    /// count: a design of the results may be loaded, and the others stay results.
+    /// Returns `true` if the shown result belongs to another scene or setup. Values of the searched variables are ignored, so that loading
+    /// a design of the results does not make the others stale.
     pub fn search_is_old(&self) -> bool {
         let tab = &self.pages.search;
         let Some((kept, answer)) = tab.shown().zip(tab.answer()) else { return false };
@@ -125,7 +125,7 @@ impl App {
         *kept.scene != scene || request.map(|it| &**it) != wanted.as_ref()
     }
 
-    /// The design under the cursor as a scene, and what it is.
+    /// Returns the design under the cursor as a scene with a label.
     pub fn search_design(&self) -> Result<LabelledScene, String> {
         let Some(answer) = self.pages.search.answer() else {
             let is_running = self.searching(self.pages.search.page).is_some();

@@ -1,4 +1,4 @@
-//! Goal seek: its setup, its request, and what was found.
+//! Goal seek: setup, request, and presentation of the result.
 
 use crate::tui::app::notice::outside;
 use crate::tui::chart::{Axis, Chart, Curve, Mark, emphasis};
@@ -80,7 +80,7 @@ impl Answer for SeekReport {
             let mark = if index == selected { ">" } else { " " };
             let solution = note(format!("{mark} {}", solution(self, found, checked)));
             let warnings = checked.new.iter().map(|text| (format!("! {text}"), Role::Warning));
-            // There is room for the warnings of one solution; the status has every check that fails.
+            // Only the warnings of the selected solution fit; the status row lists all failed checks.
             let warnings = warnings.filter(move |_| index == selected);
             std::iter::once(solution).chain(warnings)
         });

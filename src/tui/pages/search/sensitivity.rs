@@ -1,4 +1,4 @@
-//! Sensitivity: its setup, its request, and what was found.
+//! Sensitivity: setup, request, and presentation of the result.
 
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
@@ -33,7 +33,7 @@ fn request(app: &App) -> Result<SearchRequest, String> {
     Ok(SearchRequest::Sensitivity(Request { over: Vec::new(), output }))
 }
 
-/// Levels of bars in a set of characters: the PC set has no eighths of a block.
+/// Returns the characters for the levels of bars. The PC character set has no eighths of a block.
 pub(crate) fn levels(glyphs: GlyphSet) -> [char; 8] {
     match glyphs {
         GlyphSet::Braille => BLOCKS,

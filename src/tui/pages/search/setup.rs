@@ -1,4 +1,4 @@
-//! The setup of a search, as a list of rows that can be stepped and typed into. No drawing.
+//! Setup of a search, as rows that can be stepped and edited. No drawing.
 
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::STUDIES;
@@ -13,21 +13,21 @@ use cmra_studies::study::search::front::{Constraint, DEFAULT};
 use cmra_studies::study::sweep::default_axes::thesis_axes;
 use cmra_studies::study::sweep::{Axis, COUNTS, Spacing};
 
-/// Short names of the usual objectives.
+/// Short names of the default objectives.
 pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount force"];
 
-/// A measure in a word or two.
+/// Returns a label of one or two words for a measure.
 pub fn brief(column: &Quantity) -> String {
     let at = DEFAULT.iter().position(|name| *name == column.name);
     at.map_or_else(|| column.heading(), |at| OBJECTIVES[at].to_owned())
 }
 
-/// `mount force<=20 kN`.
+/// Formats a constraint: `mount force<=20 kN`.
 fn short_words(bound: &Constraint) -> String {
     format!("{}{}{}", brief(bound.measure), bound.sign(), bound.measure.show(bound.bound, 4))
 }
 
-/// The variables that fronts can vary: those of Table 9.2 that matter are on, whatever else the scene uses is off.
+/// Returns the variables for fronts: the important ones of Table 9.2 are on, all others that the scene uses are off.
 fn default_bounds(scene: &Scene) -> Vec<Bound> {
     let thesis = thesis_axes(scene).unwrap_or_default();
     let is_there = |it: &Variable| thesis.iter().any(|axis| axis.variable().key == it.key);
@@ -43,7 +43,7 @@ fn default_bounds(scene: &Scene) -> Vec<Bound> {
 }
 
 impl App {
-    /// The variables of fronts, as far as a person changed none of their bounds the usual ones.
+    /// Returns the variables of fronts; the default ones if the user has not changed a bound.
     pub fn search_bounds(&self) -> Vec<Bound> {
         let kept = &self.pages.search.setup.bounds;
         let kept = |symbol: &str| kept.iter().find(|it| it.axis.symbol() == symbol).cloned();
@@ -51,24 +51,24 @@ impl App {
         usual.map(|bound| kept(bound.axis.symbol()).unwrap_or(bound)).collect()
     }
 
-    /// The rows of the setup of a page, headings included.
+    /// Returns the rows of a page's setup, headings included.
     fn search_rows(&self, page: Page) -> Vec<Row> {
         (STUDIES[page as usize].rows)(self)
     }
 
-    /// A row for each variable that can be varied.
+    /// Returns a row for each variable that can be varied.
     pub(super) fn bound_rows(&self) -> impl Iterator<Item = Row> {
         (0..self.search_bounds().len()).map(Row::Bound)
     }
 
-    /// The rows that can be selected.
+    /// Returns the selectable rows.
     pub(crate) fn search_choices(&self, page: Page) -> Vec<Row> {
         let mut rows = self.search_rows(page);
         rows.retain(|row| !matches!(row, Row::Heading(_)));
         rows
     }
 
-    /// The selected row; where the selection is not there any more, what a person changes first: the goal, else the first row.
+    /// Returns the selected row. If it no longer exists, returns the goal, else the first row.
     pub(crate) fn search_row(&self) -> Row {
         let (rows, row) = (self.search_choices(self.pages.search.page), self.pages.search.row);
         let there = [row, Row::Goal].into_iter().find(|row| rows.contains(row));
@@ -81,7 +81,7 @@ impl App {
         Form::new(&rows, self.search_row(), |row| self.search_line(row, &bounds))
     }
 
-    /// A row of the setup, with these variables to vary.
+    /// Returns a row of the setup, with these variables to vary.
     pub(crate) fn search_line(&self, row: Row, bounds: &[Bound]) -> FormRow {
         let setup = &self.pages.search.setup;
         match row {
@@ -138,7 +138,7 @@ impl App {
         (STUDIES[page as usize].request)(self)
     }
 
-    /// The variables that are varied; none where they are the usual ones, which have no need of being named.
+    /// Returns the varied variables; empty for the default ones, which the command omits.
     pub(super) fn varied(&self) -> Result<Vec<Axis>, String> {
         if self.pages.search.setup.bounds.is_empty() {
             return Ok(Vec::new());
@@ -152,12 +152,12 @@ impl App {
     }
 }
 
-/// The unit behind the number of a shown value: `mm`.
+/// Returns the unit after the number of a displayed value: `mm`.
 pub(super) fn shown_unit(value: &str) -> &str {
     value.split_once(' ').map_or("", |(_, unit)| unit)
 }
 
-/// The row of a bound in the unit that its variable is shown in: `0.8..7` or `1..7500 kN/m^n log`.
+/// Returns the row of a bound in the display unit of its variable: `0.8..7` or `1..7500 kN/m^n log`.
 pub(crate) fn bound_line(bound: &Bound, unit: &'static str) -> FormRow {
     let variable = bound.axis.variable();
     let number_in = |value: f64| {
@@ -182,7 +182,7 @@ pub(crate) fn bound_line(bound: &Bound, unit: &'static str) -> FormRow {
     .means(format!("{meaning} (<enter>: LO..HI, LO..HI:log; <left>/<right> held or varied)"))
 }
 
-/// Read `0.8..7`, `1e3..7.5e6:log`, with units or in the unit that is shown.
+/// Parses `0.8..7`, `1e3..7.5e6:log`, with units or in the displayed unit.
 pub(crate) fn read_bound(old: &Bound, text: &str, unit: &str) -> Result<Bound, String> {
     let (name, count) = (old.axis.symbol(), Some(old.axis.count()));
     let axis = Axis::read_range_in(unit, (name, text), count, &COUNTS);

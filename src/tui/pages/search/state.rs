@@ -18,7 +18,7 @@ use cmra_studies::study::sweep::{Axis, COUNTS};
 pub const SETUP: Pane = Pane::new(Tab::Search, 0);
 pub const RESULTS: Pane = Pane::new(Tab::Search, 1);
 
-/// A page of the tab: a study.
+/// Page of the tab: a study.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Page {
     #[default]
@@ -29,12 +29,12 @@ pub enum Page {
 }
 
 impl Page {
-    /// All of them, in their order.
+    /// All pages, in order.
     pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
-    /// How many there are.
+    /// Number of pages.
     pub const COUNT: usize = Self::ALL.len();
 
-    /// The page that asks for it.
+    /// Returns the page of a request.
     pub fn from_request(request: &SearchRequest) -> Self {
         match request {
             SearchRequest::Seek(_) => Self::Seek,
@@ -50,11 +50,11 @@ pub struct Searching {
     pub page: Page,
     pub row: Row,
     pub setup: Arc<Setup>,
-    /// The results, page by page.
+    /// Results by page.
     pub results: [CachedResult<SearchAnswer>; Page::COUNT],
-    /// Why a page cannot be computed, page by page.
+    /// Reason why a page cannot be computed, by page.
     pub problem: [Option<String>; Page::COUNT],
-    /// The selected design or solution by its place among all, or the first line shown, page by page.
+    /// Index of the selected design or solution, or the first visible line, by page.
     pub cursor: [Option<usize>; Page::COUNT],
 }
 
@@ -62,23 +62,23 @@ pub struct Searching {
 pub struct Setup {
     /// Goal seek: the variable, and the points of its scan.
     pub seek: SweepAxis,
-    /// The result and its wanted value.
+    /// Output of the goal, and its target value.
     pub goal: (&'static str, f64),
-    /// Variables of fronts; empty: those of Table 9.2.
+    /// Variables of fronts; empty for those of Table 9.2.
     pub bounds: Vec<Bound>,
-    /// Whether each of the default objectives counts.
+    /// Whether each of the default objectives is used.
     pub objectives: [bool; 4],
-    /// Bounds that designs have to keep.
+    /// Constraints on designs.
     pub subject_to: Vec<Constraint>,
-    /// Designs that are not feasible do not count.
+    /// Whether infeasible designs are excluded.
     pub feasible: bool,
-    /// Designs that a front tries.
+    /// Number of designs evaluated for a front.
     pub designs: usize,
-    /// The result of sensitivity.
+    /// Output of the sensitivity study.
     pub affected: &'static str,
-    /// The result of scatter.
+    /// Output of the Monte Carlo study.
     pub output: &'static str,
-    /// Relative deviation of every input, percent.
+    /// Relative standard deviation of every input, percent.
     pub percent: f64,
     pub samples: usize,
 }
@@ -125,7 +125,7 @@ impl Setup {
         }
     }
 
-    /// The setup that was kept, as far as that still means something.
+    /// Restores the setup from the session, as far as it is still valid.
     pub(crate) fn from_session(kept: &Search) -> Self {
         let usual = Self::default();
         let bound = |(text, on): &(String, bool)| {
@@ -160,31 +160,31 @@ impl Setup {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Row {
     Heading(&'static str),
-    /// Goal seek: a part of its variable's axis.
+    /// Goal seek: part of the axis of its variable.
     Axis(Part),
     Result,
-    /// The goal: what a person changes first.
+    /// Goal value, the preferred row.
     #[default]
     Goal,
     Bound(usize),
     Objective(usize),
-    /// Bounds that designs have to keep.
+    /// Constraints on designs.
     Bounds,
     Feasible,
-    /// Designs that a front tries.
+    /// Number of designs evaluated for a front.
     Designs,
-    /// The result of sensitivity.
+    /// Output of the sensitivity study.
     Affected,
-    /// The result of scatter.
+    /// Output of the Monte Carlo study.
     Output,
-    /// Relative deviation of the inputs.
+    /// Relative standard deviation of the inputs.
     Percent,
     Samples,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
-    /// The variable, and its bounds as the ends of an axis.
+    /// Variable with its bounds as an axis.
     pub axis: Axis,
     /// Whether the variable is varied.
     pub on: bool,

@@ -10,24 +10,24 @@ use cmra_studies::report::Remark;
 use cmra_studies::report::table::Table;
 use cmra_studies::study::sweep;
 
-/// The result of a study of the tab, as its page shows it.
+/// Presentation of a study's result on its page.
 pub(crate) trait Answer {
-    /// The axes that a design of it is a point of.
+    /// Returns the axes that define a design of the result.
     fn over(&self) -> &[sweep::Axis] {
         &[]
     }
 
-    /// How much went into it.
+    /// Describes the computational effort.
     fn effort(&self) -> Option<String> {
         None
     }
 
-    /// How many designs or solutions it has.
+    /// Returns the number of designs or solutions.
     fn choices(&self) -> usize {
         0
     }
 
-    /// The design under the cursor, as a change of a scene.
+    /// Returns the design under the cursor as a scene with a label.
     fn design(&self, _app: &App) -> Result<LabelledScene, String> {
         Err("no design to load here: goal seek and the Pareto front have some".to_owned())
     }
@@ -42,7 +42,7 @@ pub(crate) trait Answer {
         app.validity_part()
     }
 
-    /// Checks of the model's validity that fail at an end of an axis and not for the scene itself, each with its warning.
+    /// Returns the validity checks that fail at an end of an axis but not for the scene itself, each with its warning.
     fn outside_at_ends(&self) -> &[(Check, Warning)] {
         &[]
     }
@@ -50,10 +50,10 @@ pub(crate) trait Answer {
     /// Returns the lines of text beside the chart.
     fn lines(&self, app: &App, width: usize) -> Vec<TextLine>;
 
-    /// The results of a scene of this name as a table.
+    /// Formats the results of a named scene as CSV.
     fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String;
 
-    /// Whether there is something to draw.
+    /// Returns `true` if there is a chart.
     fn draws(&self, _tab: &Searching) -> bool {
         false
     }
@@ -71,7 +71,7 @@ impl SearchAnswer {
         }
     }
 
-    /// The results of a scene of this name as a table.
+    /// Formats the results of a named scene as CSV.
     pub fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {
         self.answer().csv(scene, name, reach)
     }
@@ -81,12 +81,12 @@ pub(super) fn note(text: String) -> TextLine {
     (text, Role::Text)
 }
 
-/// Words about a result as a line.
+/// Formats a remark as a line.
 pub(super) fn line(remark: Remark) -> TextLine {
     (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
 }
 
-/// The rows of a table in a given number of columns, below their headings.
+/// Formats the rows of a table for a number of columns, below their headings.
 pub(super) fn table_lines<R>(
     table: &Table<'_, R>,
     keys: &[&str],

@@ -12,11 +12,11 @@ pub const MEASURED: Pane = Pane::new(Tab::Thesis, 3);
 #[derive(Clone, Debug, Default)]
 pub struct Thesis {
     pub report: CachedResult<Vec<Row>>,
-    /// The claims shown match this.
+    /// Filter text of the claims.
     pub find: String,
-    /// The selected row of Claims, among those shown.
+    /// Selected row of Claims, among the displayed ones.
     pub selected: usize,
-    /// The selected row of Principles.
+    /// Selected row of Principles.
     pub principle: usize,
 }
 
