@@ -1,4 +1,4 @@
-//! The dialogs on top of the panes: each with its keys, how it is drawn, and what comes of it.
+//! Dialogs on top of the panes: keys, drawing and effects.
 
 mod choice;
 mod help;
@@ -13,10 +13,10 @@ use crate::tui::prelude::*;
 
 pub(crate) use choice::open as list_words;
 
-/// Opens a dialog; one that has nothing to show says why instead.
+/// Opens a dialog; reports the reason if it would be empty.
 type Open = fn(&mut App) -> Option<Box<dyn Dialog>>;
 
-/// The dialogs by the action that opens each.
+/// Dialogs, by the action that opens them.
 const OPENED: &[(Action, Open)] = &[
     (Action::Help, |_| Some(listed(help::Help, 0))),
     (Action::Palette, |_| Some(listed(palette::Palette, 0))),
@@ -29,7 +29,7 @@ const OPENED: &[(Action, Open)] = &[
     (Action::Beside, |app| Some(path::beside(app))),
 ];
 
-/// Open the dialog of an action; false where it has none here.
+/// Opens the dialog of an action; returns `false` if there is none.
 pub(crate) fn open(app: &mut App, action: Action) -> bool {
     let found = OPENED.iter().find(|(opens, _)| *opens == action);
     if let Some((_, open)) = found {

@@ -1,4 +1,4 @@
-//! The words that the selected variable can be.
+//! Choices of the selected variable.
 
 use crate::tui::app::dialog::Outcome;
 use crate::tui::app::edit;
@@ -7,7 +7,7 @@ use crate::tui::prelude::*;
 use crate::tui::widgets::text::wrapped;
 use cmra_engine::model::variables::{Kind, Value};
 
-/// A list of the words of the selected variable.
+/// Opens the list of the selected variable's choices.
 pub(crate) fn open(app: &mut App) {
     if let Kind::Choice { get, .. } = app.pages.run.editor.variable().kind {
         app.dialog = Some(listed(ChoiceDialog, get(&app.scene)));
@@ -18,7 +18,7 @@ pub(crate) fn open(app: &mut App) {
 struct ChoiceDialog;
 
 const WIDTH: u16 = 58;
-/// Rows for the meaning below the words.
+/// Rows for the meaning below the choices.
 const NOTE_ROWS: u16 = 3;
 
 impl List for ChoiceDialog {
@@ -30,7 +30,7 @@ impl List for ChoiceDialog {
         app.pages.run.editor.variable().keys().len()
     }
 
-    /// A word that is refused leaves the list open, with the reason.
+    /// Sets the choice; a rejected choice leaves the list open, with the reason.
     fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
         let index = app.pages.run.editor.selected;
         let Some(word) = app.pages.run.editor.variable().keys().get(picker.selected) else {
@@ -72,7 +72,7 @@ impl List for ChoiceDialog {
     }
 }
 
-/// Why the scene makes no sense with this word; `None` where it does.
+/// Returns the reason why the scene makes no sense with this choice; `None` if it does.
 fn refusal(app: &App, word: &'static str) -> Option<String> {
     edit::with(&app.scene, app.pages.run.editor.variable(), Value::Word(word)).err()
 }

@@ -1,4 +1,4 @@
-//! Help: what the selected variable or the pane means, then the keys of the pane, then those that work everywhere.
+//! Help: meaning of the selected variable or the pane, then the keys of the pane, then the global keys.
 
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
@@ -49,7 +49,7 @@ impl List for Help {
     }
 }
 
-/// Keys, what they do, and how that is written: those of the focused pane first, then those that work everywhere.
+/// Iterates over keys with their meanings and roles: those of the focused pane first, then the global ones.
 fn rows(app: &App) -> impl Iterator<Item = (String, &'static str, Role)> {
     let own = pages::spec(app.pane()).keys.iter();
     let own = own.map(|row| (pair(app, row.action), row.help, Role::Text));
@@ -57,14 +57,14 @@ fn rows(app: &App) -> impl Iterator<Item = (String, &'static str, Role)> {
     own.chain(everywhere.map(|line| (app.keymap.line_label(line), line.meaning, Role::Dim)))
 }
 
-/// The words and signs of the Run tab.
+/// Explanation of the labels and signs of the Run tab.
 const RUN_WORDS: &str = "%: of the depth on a rigid mount. plastic: depth (%) if the interface can yield. travel: greatest plate \
     displacement. peak: contact force. mount: force of spring, damper and stop. a, b: events, which Log names. !: outside the model's \
     validity; see Log. error: estimated, of the depth, relative; and the run time. omitted: what this scene need not compute";
-/// Rows that the keys have at least where the words stand above them.
+/// Minimum rows for keys below the explanation.
 const KEY_ROWS: usize = 5;
 
-/// Explains the words and signs of the focused pane; on Run the selected variable comes first.
+/// Explains the labels and signs of the focused pane; on Run the selected variable comes first.
 fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
     let is_run = matches!(app.pane(), run::VARIABLES | run::CHARTS | run::RUNS);
     let words = match app.pane() {
@@ -83,14 +83,14 @@ fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
     lines
 }
 
-/// The comment of the preset that the scene was loaded from: its source, and what to expect.
+/// Returns the comment of the scene's preset: source and expected result.
 fn comment(app: &App) -> String {
     let entry = app.files.presets.iter().find(|entry| entry.name == app.base.name);
     let text = entry.map_or_else(String::new, |entry| entry.comment.replace('\n', " "));
     if text.is_empty() { text } else { format!("{}: {text}", app.base.name) }
 }
 
-/// Meaning, allowed values, range and source of the selected variable.
+/// Describes the selected variable: meaning, allowed values, range and source.
 fn variable(app: &App, width: u16) -> Vec<TextLine> {
     let variable = app.pages.run.editor.variable();
     let mut lines = vec![(format!("{}  {}", variable.symbol, variable.key), Role::Title)];

@@ -1,4 +1,4 @@
-//! Dialogs that are lists to choose from, with a text that filters them.
+//! List dialogs with a filter text.
 
 use std::fmt::Debug;
 
@@ -11,28 +11,28 @@ use crate::tui::prelude::*;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::{RowList, rows_moved};
 
-/// The rows of a page of a list.
+/// Rows of a page movement in a list.
 const PAGE: usize = 11;
 
-/// Where a person is in a list.
+/// State of a list dialog.
 #[derive(Debug, Default)]
 pub(crate) struct Picker {
     pub filter: TextField,
-    /// The selected row of those that pass the filter.
+    /// Selected row, among the rows that match the filter.
     pub selected: usize,
-    /// A row was chosen by moving to it, not only by what was typed.
+    /// Whether the user moved to the row, instead of only filtering.
     pub moved: bool,
 }
 
 /// Content of a list dialog.
 pub(crate) trait List: Debug + 'static {
-    /// The action that opens it, whose key closes it again.
+    /// Action that opens the dialog; its key also closes it.
     const OPENED_BY: Action;
-    /// Characters go into a text that its rows are filtered by.
+    /// Whether typed characters filter the rows.
     const IS_FILTERED: bool;
     const FOOTER: &'static str;
 
-    /// How many rows match what was typed.
+    /// Returns the number of rows that match the filter.
     fn count(&self, app: &App, typed: &str) -> usize;
 
     /// Handles Enter on the selected row.
@@ -41,14 +41,14 @@ pub(crate) trait List: Debug + 'static {
     fn draw(&self, app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>);
 }
 
-/// A dialog of a list.
+/// Dialog of a list.
 #[derive(Debug)]
 struct Listed<L> {
     list: L,
     picker: Picker,
 }
 
-/// A dialog of a list, open on a row.
+/// Creates a list dialog with a selected row.
 pub(crate) fn listed<L: List>(list: L, selected: usize) -> Box<dyn Dialog> {
     Box::new(Listed { list, picker: Picker { selected, ..Picker::default() } })
 }
@@ -61,7 +61,7 @@ impl<L: List> Dialog for Listed<L> {
     fn press(&mut self, app: &mut App, key: KeyEvent) -> Outcome {
         let (list, picker) = (&mut self.list, &mut self.picker);
         let action = app.keymap.action(key).filter(|_| !(L::IS_FILTERED && is_text(key)));
-        // Within a text, those keys move the cursor of the field.
+        // Within a text, these keys move the cursor of the field.
         let moves =
             action.filter(|it| !(L::IS_FILTERED && matches!(it, Action::First | Action::Last)));
         if let Some(by) = moves.and_then(|action| rows_moved(action, PAGE)) {
@@ -100,26 +100,26 @@ impl<L: List> Dialog for Listed<L> {
     }
 }
 
-/// Whether a key is a character of a text.
+/// Returns `true` if a key is a character of a text.
 pub(crate) fn is_text(key: KeyEvent) -> bool {
     matches!(key.code, KeyCode::Char(_))
         && !key.modifiers.intersects(KeyModifiers::CONTROL | KeyModifiers::ALT)
 }
 
 impl Picker {
-    /// Another text: what was selected may not be there any more.
+    /// Resets the selection after a change of the filter.
     fn begin(&mut self) {
         (self.selected, self.moved) = (0, false);
     }
 
-    /// The filter in the first row of an area.
+    /// Draws the filter in the first row of an area.
     pub(crate) fn draw_filter(&self, area: Rect, canvas: &mut Canvas<'_>) {
         let end = canvas.put(area, (0, 0), "> ", Role::Key);
         let room = area.width.saturating_sub(end);
         self.filter.draw(canvas, Rect { x: area.x + end, width: room, ..area });
     }
 
-    /// Rows of the list, each drawn by its index.
+    /// Draws the rows of the list, each by its index.
     pub(crate) fn draw_rows(
         &self,
         count: usize,
@@ -132,14 +132,14 @@ impl Picker {
     }
 }
 
-/// Clear the middle of the body and draw a frame there, at most this large; gives what is inside, a column of air at each side.
+/// Clears the middle of the body and draws a frame there, at most this large; returns the area inside, with a blank column at each side.
 pub(crate) fn frame(
     screen: Rect,
     (width, height): (u16, u16),
     pane: PaneFrame<'_>,
     canvas: &mut Canvas<'_>,
 ) -> Rect {
-    // Title row above, message, status and keys below stay in sight.
+    // Keep the title row above, and message, status and keys below visible.
     let body = Rect {
         y: screen.y + screen.height.min(1),
         height: screen.height.saturating_sub(4),

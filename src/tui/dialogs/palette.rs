@@ -70,11 +70,11 @@ impl List for Palette {
     }
 }
 
-/// Something that can be called by name.
+/// Named item.
 #[derive(Clone, Copy)]
 pub enum Item<'a> {
     Command(&'static Command),
-    /// A variable, by index into the table.
+    /// Variable, by index into the table.
     Variable(usize),
     Preset(&'a PresetEntry),
 }
@@ -112,7 +112,7 @@ impl Item<'_> {
 }
 
 impl App {
-    /// The matches, best first; with nothing typed, the pages and actions.
+    /// Returns the matches, best first; pages and actions for an empty text.
     pub fn palette(&self, typed: &str) -> Vec<Item<'_>> {
         let commands = commands().map(Item::Command);
         if typed.trim().is_empty() {

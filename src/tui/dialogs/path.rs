@@ -1,4 +1,4 @@
-//! Dialogs that ask for a name or a path: to save the scene, and to export what a page shows.
+//! Dialogs for a name or a path: to save the scene, and to export the content of a page.
 
 use std::path::{Path, PathBuf};
 
@@ -21,11 +21,11 @@ use cmra_studies::report::svg;
 /// Purpose of the path.
 #[derive(Clone, Copy, Debug)]
 enum Purpose {
-    /// Saving the scene: as a preset of one's own by its name, or as a file by its path.
+    /// Save the scene: by name as a user preset, or by path as a file.
     Save,
-    /// The export of what a page shows, its table or its runs as CSV or its charts as SVG; with the title of the dialog.
+    /// Export the content of a page (table or runs as CSV, or charts as SVG); with the title of the dialog.
     Export(&'static str),
-    /// Reading the traces to draw beside the runs; no text: none.
+    /// Read traces for the charts; an empty text removes them.
     Beside,
 }
 
@@ -33,23 +33,23 @@ enum Purpose {
 const BESIDE: &str = "a CSV file: a column of time (s, ms, us) and any of penetration, plate displacement, plate or projectile velocity, \
                       contact or mount force, acceleration, with units in the headings; no name: none";
 
-/// A dialog that asks for a text.
+/// Dialog for a name or a path.
 #[derive(Debug)]
 struct PathDialog {
     purpose: Purpose,
     text: TextField,
-    /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
+    /// Whether the dialog waits for the answer to "overwrite?", because the preset or file exists.
     question: bool,
 }
 
-/// Ask for the name to save the scene under.
+/// Opens the dialog to save the scene.
 pub(super) fn save(app: &mut App) -> Box<dyn Dialog> {
     app.list_presets();
     let text = TextField::selected(proposed_name(app));
     Box::new(PathDialog { purpose: Purpose::Save, text, question: false })
 }
 
-/// Ask for the file to write what is shown to, if there is anything in it.
+/// Opens the dialog to export the content of the page; `None` if it is empty.
 pub(super) fn export(app: &mut App) -> Option<Box<dyn Dialog>> {
     let (title, file) = match content(app) {
         None => {
@@ -59,12 +59,12 @@ pub(super) fn export(app: &mut App) -> Option<Box<dyn Dialog>> {
         Some(Content::Page(table)) => (table.title, table.file),
         Some(_) => ("Export the runs to CSV", format!("{}.csv", app.base_stem())),
     };
-    // What is typed replaces the whole name, as it does in every field.
+    // Typed text replaces the whole name, as in every field.
     let text = TextField::selected(file);
     Some(Box::new(PathDialog { purpose: Purpose::Export(title), text, question: false }))
 }
 
-/// Ask for the file of the traces to draw beside the runs.
+/// Opens the dialog to read traces.
 pub(super) fn beside(app: &App) -> Box<dyn Dialog> {
     let text = app.pages.run.beside.as_ref().map_or_else(String::new, |traces| traces.name.clone());
     Box::new(PathDialog {
@@ -151,7 +151,7 @@ impl Dialog for PathDialog {
         let inner = frame(screen, (76, 9), PaneFrame::new(title), canvas);
         let start = canvas.put(inner, (0, 1), label, Role::Title);
         let width = inner.width.saturating_sub(start + 1);
-        // Why its text is refused stands below.
+        // The error is displayed below the field.
         let field = TextField { error: None, ..self.text.clone() };
         field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 });
         canvas.put_lines(inner, 3, self.below(app, inner.width));
@@ -163,7 +163,7 @@ impl PathDialog {
         self.text.value().trim()
     }
 
-    /// The path that was typed.
+    /// Returns the typed path.
     fn path(&self, app: &App, example: &str) -> Result<PathBuf, String> {
         let text = self.value();
         if text.is_empty() || text.ends_with('/') {
@@ -172,7 +172,7 @@ impl PathDialog {
         Ok(app.files.directory.join(text))
     }
 
-    /// Do what the text was typed for; why it cannot be done stands in the dialog.
+    /// Performs the purpose of the dialog; shows the reason if that fails.
     fn accept(&mut self, app: &mut App, overwrite: bool) {
         self.text.error = None;
         let task = match self.purpose {
@@ -190,7 +190,7 @@ impl PathDialog {
         }
     }
 
-    /// A file or one of the person's own presets is replaced only when asked: `None` where that comes first.
+    /// Returns the task to save the scene; `None` if a file or user preset exists and the user must confirm first.
     fn saving(&mut self, app: &App, overwrite: bool) -> Result<Option<FileTask>, String> {
         let name = self.value().to_owned();
         if name.is_empty() {
@@ -261,7 +261,7 @@ impl PathDialog {
     }
 }
 
-/// Returns the table of the page; on Run, the current run and the pins that have a result.
+/// Returns the content of the page: its table; on Run, the current run and the pins with a result.
 fn content(app: &App) -> Option<Content> {
     if !app.shows_runs() {
         return pages::page(app.tab).table(app).map(Content::Page);
@@ -276,10 +276,10 @@ fn is_svg(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg"))
 }
 
-/// The present name for one's own preset or file, else that name with the first number that is free.
+/// Proposes a name: the present one for a user preset or file, else that name with the first free number.
 fn proposed_name(app: &App) -> String {
     let name = &app.base.name;
-    // Scenes that the program kept by itself are files, too, but nobody opened them by their path.
+    // Scenes stored by the program are also files, but were not opened by path.
     let files = &app.files;
     let is_file = preset::is_path(name) && files.recent.contains(&files.directory.join(name));
     if app.base.is_mine || is_file {

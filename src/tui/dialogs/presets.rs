@@ -1,4 +1,4 @@
-//! The preset picker: names at the left, what a preset is and would change at the right.
+//! Preset picker: names at the left; description and changes at the right.
 
 use std::path::Path;
 
@@ -32,7 +32,7 @@ impl List for Presets {
         rows(&app.files.presets, typed).len()
     }
 
-    /// Load the selected preset; a path opens its file. What is refused leaves the list open.
+    /// Loads the selected preset, or the file of a path. A rejected one leaves the list open.
     fn chosen(&mut self, app: &mut App, picker: &Picker) -> Outcome {
         let typed = picker.filter.value().trim();
         let is_path =
@@ -91,8 +91,8 @@ impl List for Presets {
     }
 }
 
-/// The presets that match, best first; all of them in their order when nothing is typed. Where no name has the number of a figure, those
-/// whose comment has it.
+/// Returns the matching presets, best first; all presets in order for an empty text. For a figure number in no name, returns the presets
+/// whose comment contains it.
 fn rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
     let found = ranked(presets.iter(), |it| rank(typed, &[&it.name, it.origin], &it.scene.title));
     match figure(typed).filter(|_| found.is_empty()) {
@@ -101,7 +101,7 @@ fn rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
     }
 }
 
-/// The number of a figure, `9.14` or `figure 9.14`.
+/// Returns the number of a figure from `9.14` or `figure 9.14`.
 fn figure(typed: &str) -> Option<&str> {
     let number = typed.trim().rsplit([' ', '-']).next()?;
     let (chapter, figure) = number.split_once('.')?;
@@ -123,7 +123,7 @@ fn no_match(typed: &str) -> String {
     }
 }
 
-/// Title, changes, then comment and notes as far as there is room.
+/// Draws the title and the changes, then as much of comment and notes as fits.
 fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     let width = area.width;
     let mut lines: Vec<TextLine> = Vec::new();
@@ -151,7 +151,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
         if !text.is_empty() {
             lines.push((String::new(), Role::Text));
         }
-        // The lines of a file are not those of the screen.
+        // Line breaks of a file are not kept on the screen.
         let paragraphs = text.split("\n\n").map(|it| it.replace('\n', " "));
         for (at, paragraph) in paragraphs.enumerate() {
             lines.extend((at > 0).then(|| (String::new(), Role::Dim)));
@@ -161,7 +161,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_lines(area, 0, lines);
 }
 
-/// The variables it would change, old and new; a long list in as many columns as needed.
+/// Lists the variables that the preset would change, old and new values; a long list in several columns.
 fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
     let scene = match entry.scene_on(&app.scene) {
         Ok(scene) => scene,
@@ -187,7 +187,7 @@ fn changes(app: &App, entry: &PresetEntry, width: u16) -> Vec<TextLine> {
     lines
 }
 
-/// Load a preset and show what it is about, or put a part of a library into the scene; or why neither can be done.
+/// Loads a preset and shows its subject, or applies a library entry to the scene; returns the reason if neither is possible.
 pub(crate) fn take(app: &mut App, entry: PresetEntry) -> Result<(), String> {
     if let Some(problem) = entry.problem {
         return Err(format!("{} cannot be loaded: {problem}", entry.name));
@@ -212,12 +212,12 @@ pub(crate) fn take(app: &mut App, entry: PresetEntry) -> Result<(), String> {
     Ok(())
 }
 
-/// Open the field of the plate's side where both the shot and the plate have been chosen: a mass ratio of another shot would give the
-/// plate a size that nobody asked for.
+/// Opens the field of the plate's side after both the shot and the plate were chosen. The mass ratio of another shot would give the plate
+/// an unintended size.
 fn ask_for_face(app: &mut App) {
     let usual = Scene::default();
     let (scene, base) = (&app.scene, &app.base.scene);
-    // A threat brings the law of its nose to whatever plate there is.
+    // A library projectile changes the law of its nose but keeps the plate.
     let plate = |of: &Scene| {
         let Target { closure, drag, drag_coefficient, dishing, .. } = usual.target;
         Target { closure, drag, drag_coefficient, dishing, ..of.target }

@@ -1,4 +1,4 @@
-//! The Explore tab: curves or a map of a quantity over one variable or two.
+//! Explore tab: curves or a map of a quantity over one or two variables.
 
 pub(crate) mod cursor;
 pub(crate) mod curves;
@@ -62,13 +62,13 @@ impl Page for ExploreTab {
         if coming.is_some_and(|it| it.picture == app.picture() && Some(&*it.plan) == wanted) {
             return;
         }
-        // What a person stopped waits for the key that runs it again.
+        // A study stopped by the user restarts on request only.
         let found = app.pages.explore.found().filter(|_| app.pages.explore.result.is_over());
         if !found.is_some_and(|grid| Some(&**grid.plan()) == wanted) {
             return compute(app, None);
         }
         app.pages.explore.problem = None;
-        // The setup is again what is shown: what was requested meanwhile would replace it.
+        // The displayed result matches the setup again: cancel the active study, which would replace it.
         stop(app);
     }
 
@@ -141,7 +141,7 @@ impl Page for ExploreTab {
         if PrintedSweep::downcast(&running.request).is_some() {
             let printed = news.found::<Grid>().filter(|answer| answer.reach.is_complete());
             app.pages.explore.printed = printed.map(|answer| answer.report);
-            // Said until someone moves over the figure; after that the legend names them.
+            // Show the note until the cursor is moved; then the legend names the curves.
             let found = app.pages.explore.found().filter(|_| app.pages.explore.cursor.is_none());
             let differs =
                 |grid: &Arc<Grid>| !curves::printed(app, grid, app.shown_output(grid).0).is_empty();
@@ -160,7 +160,7 @@ impl Page for ExploreTab {
             && let Some(grid) = &tab.result.result
             && before.is_none_or(|plan| plan.axes() != grid.plan().axes())
         {
-            // Over other axes the cursor begins again.
+            // New axes reset the cursor.
             tab.cursor = None;
         }
         match news {
@@ -230,7 +230,7 @@ impl Page for ExploreTab {
     }
 }
 
-/// Forget the sweep under way; a long one goes on, to be ended by a key.
+/// Cancels the active sweep; a long one continues until a key cancels it.
 fn stop(app: &mut App) {
     let id = app.jobs.running::<PictureSweep>().map(|job| job.id);
     if let Some(id) = id.filter(|id| !app.jobs.is_long(*id)) {
@@ -239,7 +239,7 @@ fn stop(app: &mut App) {
     }
 }
 
-/// Sweeps as requested by a key, or as far as a look goes.
+/// Computes the sweep, on request or within the time limit of a page that is shown.
 fn compute(app: &mut App, by: Option<Action>) {
     match app.sweep_plan() {
         Err(error) => {
@@ -255,7 +255,7 @@ fn compute(app: &mut App, by: Option<Action>) {
             let printed = app.printed_plan().map(|plan| PrintedSweep(Arc::new(plan)));
             if let Some(action) = by {
                 jobs::study(app, action, sweep);
-                // Of a long sweep that a question keeps, its other curves stay, too.
+                // If a confirmation keeps a long sweep, keep its other curves, too.
                 if let Some(printed) = printed.filter(|_| app.jobs.awaiting_confirmation.is_none())
                 {
                     jobs::study(app, action, printed);
@@ -270,13 +270,13 @@ fn compute(app: &mut App, by: Option<Action>) {
     }
 }
 
-/// Move the cursor by points; the scene stays as it is.
+/// Moves the cursor by points; the scene is unchanged.
 fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     let Some(grid) = app.pages.explore.found().cloned() else {
         return app.report_progress(no_sweep(app));
     };
     let at = app.cursor_point(&grid);
-    // Right and up lead to greater values, also on an axis that runs downward.
+    // Right and up lead to larger values, also on a descending axis.
     let upward = |by: isize, axis: Option<&Axis>| {
         if axis.is_some_and(|axis| axis.ends().0 > axis.ends().1) { -by } else { by }
     };

@@ -1,4 +1,4 @@
-//! The Limit tab: whether the shot is stopped, whether moving armour pays and where, and the residual velocity.
+//! Limit tab: whether the shot is stopped, whether and where moving armour pays, and the residual velocity.
 
 pub mod comparison;
 mod map;
@@ -59,17 +59,17 @@ const COMMANDS: &[Command] = &[
     Command::new(CommandTarget::Show(RESIDUAL, None), "Residual velocity", "ballistic limit v50 perforation recht-ipson lambert-jonas"),
 ];
 
-/// Rows of the verdict: does it stop the shot, does moving pay.
+/// Rows of the verdict: on the shot, and on moving armour.
 const VERDICT_ROWS: u16 = 2;
-/// Least rows below the verdict that hold map and candidates together.
+/// Minimum rows below the verdict for map and candidates together.
 const BOTH: u16 = 14;
-/// Time of a look at a comparison; the map has the rest of the time.
+/// Time limit of a comparison when the page is shown; the map has the remaining time.
 const COMPARISON_LOOK: Duration = Duration::from_millis(100);
 const MAP_LOOK: Duration = jobs::LOOK.saturating_sub(COMPARISON_LOOK);
 
 pub(crate) struct LimitTab;
 
-/// The scene whose comparison is neither there nor under way: the scene on the screen first, then the design under the cursor.
+/// Returns the scene whose comparison is neither cached nor being computed: the current scene first, then the design under the cursor.
 fn missing_comparison(app: &App) -> Option<Arc<Scene>> {
     let tab = &app.pages.limit;
     let is_known = |kept: &CachedResult<compare::ComparisonReport>, scene: &Scene| {
@@ -96,7 +96,7 @@ fn is_map_missing(app: &App) -> bool {
     map::has_map(&app.scene) && !is_there && !is_coming
 }
 
-/// Computes what the pane shown lacks, as far as a look goes.
+/// Computes the missing results of the shown pane within the time limit.
 fn look(app: &mut App) {
     if app.pane() == RESIDUAL {
         if app.lacks_limit() {
@@ -115,7 +115,7 @@ fn look(app: &mut App) {
     }
 }
 
-/// Computes all of what the pane shows.
+/// Computes all results of the shown pane.
 fn compute(app: &mut App, action: Action) {
     let own = Arc::clone(&app.scene);
     let asked: Vec<(Arc<Scene>, StudyRequest)> = if app.pane() == RESIDUAL {
@@ -256,7 +256,7 @@ impl Page for LimitTab {
             let done = map.cells.iter().flatten().count();
             tab.map.reach = Reach::Partial(Progress { done, total: map.cells.len() });
         }
-        // One look after another: the comparison of the scene, the map, the design under the cursor.
+        // Compute in order: the comparison of the scene, the map, the design under the cursor.
         let is_whole =
             matches!(news, ReportBody::Ended(Some(answer)) if answer.reach.is_complete());
         if is_whole && app.tab == Tab::Limit && app.pane() != RESIDUAL {
@@ -356,7 +356,7 @@ impl Page for LimitTab {
     }
 }
 
-/// Whether the armour stops the shot and by how much, and whether moving pays and where.
+/// Draws the verdicts: whether and by how much the armour stops the shot, and whether and where moving pays.
 fn verdict(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let room = usize::from(body.width.saturating_sub(2));
     let Some((report, own)) =
@@ -383,8 +383,8 @@ fn verdict(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     canvas.put(body, (1, 1), &second, Role::Title);
 }
 
-/// Where a pane stands: the residual velocity alone; the candidates below the map, or the pane that has the keys alone where there is no
-/// room for both.
+/// Returns the area of a pane: the residual velocity alone; the candidates below the map, or the focused pane alone if there is no room for
+/// both.
 fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     let focus = app.pane();
     if pane == RESIDUAL || focus == RESIDUAL {

@@ -1,4 +1,4 @@
-//! The Log tab: messages of this session, and all about the run on the screen.
+//! Log tab: messages of this session, and all information on the current run.
 
 use crate::tui::app::notice::Notice;
 use crate::tui::app::pins::DisplayedRun;
@@ -67,11 +67,11 @@ impl Page for LogTab {
     }
 }
 
-/// Messages that stand before what is reported of the run.
+/// Number of messages above the report of the run.
 const NEWEST: usize = 5;
 
 impl App {
-    /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
+    /// Returns all lines of the Log tab, wrapped for a screen of this width.
     pub fn log_lines(&self, columns: usize) -> Vec<TextLine> {
         let message = |notice: &Notice| {
             let word = notice.severity.word();
@@ -101,12 +101,12 @@ impl App {
         }
         let wanted = self.pages.log.find.trim().to_lowercase();
         lines.retain(|line| line.0.to_lowercase().contains(&wanted));
-        // Two borders, and three columns of indent with one of air.
+        // Two borders, and three columns of indentation with one blank.
         broken(lines, columns.saturating_sub(6).max(10))
     }
 }
 
-/// A heading and the lines below it, apart from what stands above.
+/// Appends a heading and the lines below it, after a blank line.
 fn section(lines: &mut Vec<TextLine>, heading: &str, body: impl IntoIterator<Item = TextLine>) {
     if !lines.is_empty() {
         lines.push((String::new(), Role::Text));

@@ -1,4 +1,4 @@
-//! The Numerics tab: accuracy and stability of the methods.
+//! Numerics tab: accuracy and stability of the methods.
 
 pub mod accuracy;
 pub mod stability;

@@ -36,10 +36,10 @@ use crate::tui::widgets::layout::{Layout, layout};
 use crate::tui::widgets::value_steps::Input;
 use cmra_engine::model::variables::{self, VARIABLES};
 
-/// The refusal of what needs results that are under way.
+/// Error for an action that needs results under computation.
 pub(crate) const BEING_COMPUTED: &str = "being computed";
 
-/// The words of a pane that has nothing to show: while its study runs, else why there is nothing.
+/// Returns the text of an empty pane: that its study runs, else the reason.
 pub(crate) fn nothing<S: RequestVariant>(
     app: &App,
     running: &'static str,
@@ -49,19 +49,19 @@ pub(crate) fn nothing<S: RequestVariant>(
     app.keymap.shown(if waits { running } else { why.unwrap_or(NO_RESULTS) })
 }
 
-/// The words for what is under way, the same in the status row of every page: what is done, and how much of it.
+/// Returns the status part for an active study, the same on all pages, with its progress.
 pub(crate) fn under_way(what: &str) -> StatusPart {
     part(Severity::Note, format!("{what} (<back> cancels)"))
 }
 
-/// The words for what was stopped before its end, by a person or since it was only looked at; how far it came.
+/// Returns the status part for a stopped study, with its progress.
 pub(crate) fn cut<T>(kept: &CachedResult<T>, items: &str) -> StatusPart {
     let reach = kept.reach.counted(items).map_or_else(String::new, |it| format!(" ({it})"));
     let what = if kept.is_look { "first look" } else { "cancelled" };
     part(Severity::Warning, format!("{what}: press <run>{reach}"))
 }
 
-/// How a study of a scene stands that is so far kept as this; nothing to say where all of it is there.
+/// Returns the status part for the progress of a study; `None` for a complete result.
 pub(crate) fn progress<S: RequestVariant, T>(
     app: &App,
     kept: &CachedResult<T>,
@@ -77,40 +77,40 @@ pub(crate) fn progress<S: RequestVariant, T>(
     }
 }
 
-/// A page of a tab that has several.
+/// Page of a tab with several pages.
 pub(crate) struct PageSpec {
     pub name: &'static str,
     pub panes: &'static [Pane],
 }
 
-/// The constants of a tab.
+/// Constants of a tab.
 pub(crate) struct About {
     /// Subpages; empty for a single page.
     pub pages: &'static [PageSpec],
-    /// All of its panes; the first one has the focus at the start.
+    /// All panes of the tab; the first one has the initial focus.
     pub panes: &'static [PaneSpec],
-    /// The entries of the palette.
+    /// Commands for the palette.
     pub commands: &'static [Command],
 }
 
-/// A tab of the workbench. What applies to a pane applies to the focused one, which is one of the page's own.
+/// Tab of the workbench. Methods for a pane apply to the focused pane, which belongs to the page.
 pub(crate) trait Page: Sync {
     fn about(&self) -> About;
 
-    /// The panes shown, in the order in which Tab goes through them.
+    /// Returns the shown panes, in the order of Tab.
     fn shown_panes(&self, app: &App) -> Vec<Pane> {
         let About { panes, pages, .. } = self.about();
         let all = || panes.iter().map(|spec| spec.pane).collect();
         pages.get(self.shown(app)).map_or_else(all, |page| page.panes.to_vec())
     }
 
-    /// The page shown, by its place: the first one that has the pane with the keys.
+    /// Returns the index of the shown page: the first one that contains the focused pane.
     fn shown(&self, app: &App) -> usize {
         let pages = self.about().pages.iter();
         pages.take_while(|page| !page.panes.contains(&app.pane())).count()
     }
 
-    /// Show another page; it computes what it has not.
+    /// Shows another page and computes its missing results.
     fn turn_to(&self, app: &mut App, page: usize) {
         if let Some(page) = self.about().pages.get(page) {
             app.focus_on(page.panes[0]);
@@ -118,27 +118,27 @@ pub(crate) trait Page: Sync {
         }
     }
 
-    /// The tab is shown: it computes what it has not, for the scene there is.
+    /// Called when the tab is shown; computes the missing results of the scene.
     fn enter(&self, _app: &mut App) {}
 
-    /// The scene or its sweep has changed while the tab is shown.
+    /// Called when the scene or its sweep changes while the tab is shown.
     fn edited(&self, _app: &mut App) {}
 
-    /// Another of its panes has been given the keys.
+    /// Called when another pane of the tab gets the focus.
     fn focused(&self, _app: &mut App) {}
 
-    /// A key has been pressed, or the scene has changed: what is computed at rest waits again.
+    /// Called on a key or a change of the scene; restarts the idle time of deferred results.
     fn await_rest(&self, _app: &mut App) {}
 
-    /// The time of rest is over: the page computes what it shows at rest.
+    /// Called after the idle time; computes the deferred results.
     fn rested(&self, _app: &mut App) {}
 
-    /// Do what a key means here; `false` where the page has no meaning of its own for it.
+    /// Performs an action; returns `false` if the page has no meaning of its own for it.
     fn act(&self, _app: &mut App, _action: Action) -> bool {
         false
     }
 
-    /// Whether an action of the focused pane's table is of use now: what is not is left out of the footer.
+    /// Returns `true` if an action of the focused pane is useful now; the footer omits others.
     fn is_of_use(&self, _app: &App, _action: Action) -> bool {
         true
     }
@@ -148,12 +148,12 @@ pub(crate) trait Page: Sync {
         None
     }
 
-    /// The status row, the most important part first.
+    /// Returns the status row, the most important part first.
     fn status(&self, app: &App) -> Vec<StatusPart>;
 
     fn report(&self, _app: &mut App, _running: &Running, _news: &ReportBody) {}
 
-    /// The table shown, once there is anything in it.
+    /// Returns the displayed table; `None` if it is empty.
     fn table(&self, _app: &App) -> Option<PageTable> {
         None
     }
@@ -162,19 +162,19 @@ pub(crate) trait Page: Sync {
         None
     }
 
-    /// The rows of the pane, where it is a list or a form.
+    /// Returns the rows of the pane if it is a list or a form.
     fn rows(&self, app: &App) -> Option<Rows> {
         self.form(app).map(|form| form.rows(app.list_rows()))
     }
 
     fn select(&self, _app: &mut App, _row: usize) {}
 
-    /// The text that the rows of the pane are filtered by, where `/` filters them.
+    /// Returns the filter text of the pane's rows, if `/` filters them.
     fn filter<'a>(&self, _app: &'a mut App) -> Option<&'a mut String> {
         None
     }
 
-    /// The text that the field of the selected row opens with.
+    /// Returns the initial text of the selected row's field.
     fn text(&self, app: &App) -> String {
         let text = || self.form(app)?.line()?.text.clone();
         text().unwrap_or_default()
@@ -185,22 +185,22 @@ pub(crate) trait Page: Sync {
         self.form(app)?.line()?.quantity.clone()
     }
 
-    /// Whether a text differs from that of the row; a dim value has no effect at present, and gets one when it is typed again.
+    /// Returns `true` if a text differs from the row's value. Retyping a dim value, which has no effect, makes it effective.
     fn is_new(&self, app: &App, text: &str) -> bool {
         let form = self.form(app);
         let is_dim = form.is_some_and(|form| form.line().is_some_and(|it| it.role == Role::Dim));
         is_dim || text != self.text(app)
     }
 
-    /// Change the value of the selected row.
+    /// Changes the value of the selected row.
     fn change(&self, _app: &mut App, _input: Input<'_>) -> Result<(), String> {
         Ok(())
     }
 
-    /// Put the cursor on a cell of the map in the pane.
+    /// Moves the cursor to a cell of the pane's map.
     fn go_to_cell(&self, _app: &mut App, _cell: (usize, usize)) {}
 
-    /// Put the crosshair of a chart of the pane on a value of its axis across.
+    /// Moves the crosshair of a chart to a value of its horizontal axis.
     fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}
 
     /// Returns the axes of the crosshair, each with the unit of a bare number; empty without a crosshair.
@@ -208,22 +208,22 @@ pub(crate) trait Page: Sync {
         Vec::new()
     }
 
-    /// Put the crosshair on the place that a text says.
+    /// Moves the crosshair to a typed position.
     fn go_to_place(&self, _app: &mut App, _text: &str) -> Result<(), String> {
         Ok(())
     }
 
-    /// Remove the crosshair of the pane, or put it back where nobody has moved it; `false` where it is there.
+    /// Removes the crosshair of the pane or resets it to its default; `false` if it is already there.
     fn remove_cursor(&self, _app: &mut App) -> bool {
         false
     }
 
-    /// Draw its panes into the body of the screen.
+    /// Draws the panes into the body of the screen.
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>);
 }
 
 impl App {
-    /// The unit that the fields of every page show a variable in, and that a bare number has there.
+    /// Returns the unit of a variable in all fields, also that of bare numbers.
     pub(crate) fn unit_of(&self, name: &str) -> &'static str {
         let key = variables::find(name).map_or("", |variable| variable.key);
         let index = VARIABLES.iter().position(|variable| variable.key == key);
@@ -231,18 +231,18 @@ impl App {
     }
 
     pub fn layout(&self) -> Layout {
-        // A pinned run takes the row that says how to pin one.
+        // The row of a pinned run replaces the hint how to pin one.
         let has_hint = self.tab != Tab::Run || self.pins.is_empty();
         layout(self.size, pages::page(self.tab).about().pages.len() > 1, has_hint)
     }
 
-    /// Rows of a list that fills the body.
+    /// Returns the number of rows of a list that fills the body.
     pub(crate) fn list_rows(&self) -> usize {
         self.layout().body.map_or(10, |body| usize::from(body.height.saturating_sub(2)))
     }
 }
 
-/// Draw the setup of a study.
+/// Draws the setup of a study.
 pub(crate) fn draw_setup(app: &App, form: &Form, pane: Pane, area: Rect, canvas: &mut Canvas<'_>) {
     let on = app.pane() == pane;
     let hint = app.keymap.shown(if on { "" } else { "<next-pane>" });
@@ -256,24 +256,24 @@ pub(crate) fn note(text: Option<String>) -> Option<(Severity, String)> {
     text.map(|text| (Severity::Note, text))
 }
 
-/// The tasks that have not ended: the tab that requested each, and its number.
+/// Iterates over the active tasks: the tab of each request, and the task number.
 pub(crate) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     let current = app.jobs.current.as_ref().map(|job| job.id);
     let runs = current.into_iter().chain(app.pins.iter().filter_map(|pin| pin.job));
-    // The bars of what matters are computed at rest: any key ends that.
+    // The sensitivity bars are computed in idle time; any key cancels that.
     let is_rest = |running: &&Running| running.tab == Tab::Run && running.is_look;
     let studies = app.jobs.studies.iter().filter(move |running| !is_rest(running));
     let studies = studies.map(|running| (running.tab, running.id));
     runs.map(|id| (Tab::Run, id)).chain(studies)
 }
 
-/// Open the field of the selected row of the pane that has the keys, its old text selected.
+/// Opens the field of the focused pane's selected row, with its text selected.
 pub(crate) fn open_field(app: &mut App) {
     let text = pages::page(app.tab).text(app);
     app.typing = Some(ActiveInput::Field(TextField::selected(text)));
 }
 
-/// Move the selection of the pane by rows, stopping at the ends.
+/// Moves the selection of the pane by rows, stopping at the ends.
 pub(crate) fn move_by(app: &mut App, by: isize) {
     let page = pages::page(app.tab);
     if let Some(rows) = page.rows(app)
@@ -283,7 +283,7 @@ pub(crate) fn move_by(app: &mut App, by: isize) {
     }
 }
 
-/// The key to show, with its opposite or its companion where there is one: `h/l`.
+/// Returns the key of an action together with the key of its counterpart: `h/l`.
 pub(crate) fn pair(app: &App, action: Action) -> String {
     let pair = match action {
         Action::Right => [Action::Left, Action::Right],
@@ -295,7 +295,7 @@ pub(crate) fn pair(app: &App, action: Action) -> String {
     keys.collect::<Vec<_>>().join("/")
 }
 
-/// Why a page has no table.
+/// Explains why a page has no table.
 pub(crate) fn nothing_yet(app: &App, what: &str) -> String {
     if all_jobs(app).any(|(tab, _)| tab == app.tab) {
         return "nothing is finished yet: <back> stops the job and keeps what is finished"
@@ -304,7 +304,7 @@ pub(crate) fn nothing_yet(app: &App, what: &str) -> String {
     format!("nothing to {what} yet: press <run> to compute it")
 }
 
-/// The charts and maps on the screen, as SVG; none where the page shows none.
+/// Returns the displayed charts and maps as SVG; empty if the page has none.
 pub(crate) fn pictures(app: &App) -> Vec<String> {
     let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let mut canvas = Canvas::new(&mut buffer, app.settings.theme);

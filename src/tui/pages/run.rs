@@ -1,4 +1,4 @@
-//! The Run tab: one impact, with its variables, its charts and the runs to compare with.
+//! Run tab: a single impact, with its variables, charts, and runs for comparison.
 
 pub mod charts;
 pub mod editor;
@@ -89,7 +89,7 @@ impl Page for RunTab {
             (Action::Run, _) => jobs::rerun(app, action),
             (Action::Enter, CHARTS) => return self.act(app, Action::FullPane),
             (Action::FullPane, pane) => {
-                // A list of variables is no better alone: the chart is meant.
+                // A full-screen list of variables has no advantage, so enlarge the chart.
                 app.focus_on(if pane == VARIABLES { CHARTS } else { pane });
                 app.pages.run.is_full = !app.pages.run.is_full;
             }
@@ -114,7 +114,7 @@ impl Page for RunTab {
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         match app.pane() {
-            // The drawing has the values at the crosshair.
+            // The drawing already shows the values at the crosshair.
             CHARTS if app.is_full() => {
                 note(Some(charts::draw::event_words(app, app.pages.run.charts.selected)))
             }
@@ -180,7 +180,7 @@ impl Page for RunTab {
         Some(FieldQuantity { unit, variable: Some(editor.variable()) })
     }
 
-    /// The number in the unit that stands behind it.
+    /// Returns the number in the displayed unit.
     fn text(&self, app: &App) -> String {
         let editor = &app.pages.run.editor;
         let unit = editor.unit(editor.selected);
@@ -230,7 +230,7 @@ impl Page for RunTab {
     }
 }
 
-/// Draw traces beside the runs: quantities without a chart take the place of the last ones.
+/// Shows traces with the runs; quantities without a chart replace those of the last charts.
 pub(crate) fn lay_beside(app: &mut App, traces: Arc<Traces>) {
     let charts = &mut app.pages.run.charts;
     let mut place = charts.quantities.len();
@@ -250,7 +250,7 @@ pub(crate) fn lay_beside(app: &mut App, traces: Arc<Traces>) {
     app.report_progress(format!("{count} {what} of {name}, marked {MARK}: titles have the greatest difference; <beside> changes or removes"));
 }
 
-/// Keep what is shown of traces up to date with the run and the charts.
+/// Updates the displayed traces after a change of the run or the charts.
 pub(crate) fn follow_traces(app: &mut App) {
     let ends = [0, 1, 2].map(|chart| (app.pages.run.charts.quantities[chart], app.end_s(chart)));
     let page = &mut app.pages.run;
@@ -259,27 +259,27 @@ pub(crate) fn follow_traces(app: &mut App) {
     page.differences.follow(run, page.beside.as_ref());
 }
 
-/// Whether the row that has the keys is a variable with a list of words.
+/// Returns `true` if the focused row is a variable with a list of choices.
 pub(crate) fn lists_words(app: &App) -> bool {
     app.pane() == VARIABLES && app.pages.run.editor.shows(&app.scene) && is_list(app)
 }
 
-/// Words from which on a list is clearer than going to the next one.
+/// Minimum number of choices for a list instead of stepping.
 const WORDS_LISTED: usize = 3;
 
-/// Whether the selected variable has so many words that a list is clearer than going to the next one.
+/// Returns `true` if the selected variable has enough choices for a list.
 pub(crate) fn is_list(app: &App) -> bool {
     app.pages.run.editor.variable().keys().len() >= WORDS_LISTED
 }
 
-/// Select a variable in the list of all.
+/// Selects a variable in the list.
 pub(crate) fn focus_on(app: &mut App, index: usize) {
     app.focus_on(VARIABLES);
     app.pages.run.editor.filter.clear();
     app.pages.run.editor.selected = index;
 }
 
-/// Open the selected variable's field; of two words, the other one is taken.
+/// Opens the selected variable's field; toggles a variable with two choices.
 pub(crate) fn open(app: &mut App) {
     match &app.pages.run.editor.variable().kind {
         Kind::Choice { .. } | Kind::Switch { .. } => edit::step(app, StepKey::NEXT),
@@ -289,7 +289,7 @@ pub(crate) fn open(app: &mut App) {
     }
 }
 
-/// Where a pane stands: the variables beside the charts, and below them the runs; or the pane that has the keys alone.
+/// Returns the area of a pane: the variables beside the charts, and the runs below; or the focused pane alone.
 fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
     if app.is_full() {
         return (pane == app.pane()).then_some(body);

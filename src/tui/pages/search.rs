@@ -1,4 +1,4 @@
-//! The Search tab: goal seek, Pareto front, sensitivity, Monte Carlo.
+//! Search tab: goal seek, Pareto front, sensitivity, Monte Carlo.
 
 pub(crate) mod draw;
 mod front;
@@ -30,10 +30,10 @@ use cmra_studies::study::search::front::SAMPLES as DESIGNS;
 use cmra_studies::study::search::seek::SCAN;
 use cmra_studies::study::sweep::Axis;
 
-/// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
+/// Columns of a search's setup: the longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
 
-/// Where setup and findings stand; where there is no room for both, the one that has the keys has more of it, or all.
+/// Returns the areas of setup and results; if both do not fit, the focused one gets more of the room, or all.
 pub(crate) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
     let width = match app.pane() {
         SETUP if body.width < NARROW => SEARCH_SETUP,
@@ -60,7 +60,7 @@ const PANES: &[PaneSpec] = &[
     ] },
 ];
 
-/// A page, and the command that shows it.
+/// Creates a page and the command that shows it.
 const fn page(at: usize) -> PageSpec {
     PageSpec { name: STUDIES[at].title, panes: &[SETUP, RESULTS] }
 }
@@ -80,21 +80,21 @@ const COMMANDS: &[Command] = &[
     command(3),
 ];
 
-/// A page: what it is called, what it asks for, and by which rows of the setup.
+/// Study of a page: its names, request and setup rows.
 struct Study {
     /// Subject, in two or three words.
     title: &'static str,
-    /// Other words that it is found by.
+    /// Synonyms for the search.
     synonyms: &'static str,
-    /// The file proposed for an export.
+    /// Proposed file name of an export.
     file: &'static str,
-    /// The rows of its setup, headings included.
+    /// Returns the rows of the setup, headings included.
     rows: fn(&App) -> Vec<Row>,
     /// Builds the request of the setup.
     request: fn(&App) -> Result<SearchRequest, String>,
 }
 
-/// The studies, in the order of [`state::Page`].
+/// Studies, in the order of [`state::Page`].
 const STUDIES: [Study; state::Page::COUNT] =
     [seek::STUDY, front::STUDY, sensitivity::STUDY, monte_carlo::STUDY];
 
@@ -134,7 +134,7 @@ impl Page for SearchTab {
         if is_there {
             follow(app);
         } else if tab.page != state::Page::Front {
-            // A front takes seconds, and has no coarse form: it starts on request only.
+            // A front takes seconds and has no coarse version, so it starts on request only.
             search(app, None);
         }
     }
@@ -245,7 +245,7 @@ impl Page for SearchTab {
     }
 }
 
-/// Lines of the words that have no room.
+/// Returns the number of text lines that do not fit.
 pub(crate) fn hidden_lines(app: &App) -> usize {
     let Some(body) = app.layout().body else { return 0 };
     let (_, area) = panes(app, body);
@@ -261,7 +261,7 @@ fn follow(app: &mut App) {
     }
 }
 
-/// Searches with the setup of the page, as requested by a key or as far as a look goes.
+/// Starts the search of the page's setup, on request or within the time limit of a page that is shown.
 fn search(app: &mut App, by: Option<Action>) {
     let page = app.pages.search.page;
     let request = match app.search_request(page) {
@@ -279,7 +279,7 @@ fn search(app: &mut App, by: Option<Action>) {
     }
 }
 
-/// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
+/// Records a change of a row of the setup as one edit, if there is one.
 fn note_change(app: &mut App, row: Row, before: Snapshot) {
     if app.pages.search.setup == before.search {
         return;
@@ -289,7 +289,7 @@ fn note_change(app: &mut App, row: Row, before: Snapshot) {
     app.pages.search.setup = after;
     let new = app.search_line(row, &app.search_bounds());
     let label = if new.value.is_empty() {
-        // A result stands in the place of its label.
+        // The row of a result has no label.
         format!("search: {} -> {}", old.label, new.label)
     } else {
         format!("search: {} {} -> {}", new.label, old.value, new.value)
@@ -305,7 +305,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
         (Row::Axis(part), _) => {
             let mut axis = setup.seek.clone();
             part.change(&mut axis, (&app.scene, &unit), input, &SCAN)?;
-            // There can be a scan of it.
+            // Check that the axis can be scanned.
             Axis::from_sweep_axis(&axis, &SCAN).map_err(|error| error.to_string())?;
             setup.seek = axis;
         }
@@ -339,7 +339,7 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
     Ok(())
 }
 
-/// A goal to begin with: the value of the run on the screen in two digits, where it has one at once.
+/// Returns an initial goal: the value of the current run in two digits, if available immediately.
 fn first_goal(app: &App, name: &str) -> f64 {
     let run = app.shown.as_ref().filter(|_| !app.shows_old()).map(|shown| &shown.run);
     let quantity = named(name).ok().filter(|quantity| quantity.needs() != Needs::Limit);

@@ -10,7 +10,7 @@ use crate::tui::widgets::{Canvas, split_bottom};
 use cmra_engine::model::units::significant;
 use cmra_studies::report::map::{Cell, Map, MapMark};
 
-/// Percentage of the rows that the legend may take.
+/// Rows of the area for each row of the legend.
 const WORDS: u16 = 10;
 
 /// Formats a letter with its meaning in a few words.

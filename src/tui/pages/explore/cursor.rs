@@ -1,4 +1,4 @@
-//! The point under the cursor of the Explore tab, as a design and in words.
+//! Point under the cursor of the Explore tab, as a design and as text.
 
 use crate::tui::pages::explore::state::{ChartKind, nearest, placed};
 use crate::tui::pages::page::prelude::*;
@@ -11,12 +11,12 @@ use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::sweep::grid::{Cell, Grid};
 
 impl App {
-    /// The display of Explore: curves or a map.
+    /// Returns the display of Explore: curves or a map.
     pub fn picture(&self) -> ChartKind {
         self.pages.explore.picture
     }
 
-    /// Whether the picture belongs to other axes or held variables than those on the screen.
+    /// Returns `true` if the displayed result belongs to other axes or constant variables than the present ones.
     pub fn sweep_is_old(&self) -> bool {
         let wanted = self.sweep_plan().ok();
         let shown = self.pages.explore.found().map(|grid| &**grid.plan());
@@ -29,7 +29,7 @@ impl App {
         (at, outputs[at])
     }
 
-    /// The grid point under the cursor: the one it was moved to, or the one nearest to the scene.
+    /// Returns the grid point under the cursor; before it is moved, the point nearest to the scene.
     pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
         let (across, up) = grid.counts();
         if let Some(at) = self.pages.explore.cursor.filter(|(x, y)| *x < across && *y < up) {
@@ -58,13 +58,13 @@ impl App {
         let mut words: Vec<String> =
             outputs.map(|(at, output)| cell_words(output, grid.cell(x, y, at))).collect();
         let own = words[shown].clone();
-        // Of a point that came to nothing the words are the same, whatever the output.
+        // For a point without values all outputs have the same text.
         words.dedup();
         let all = format!("{near}{place}: {}", words.join(", "));
         Some(fitting([all, format!("{near}{place}: {own}")], width))
     }
 
-    /// The design under the cursor as a scene, with the values of the axes in words.
+    /// Returns the design under the cursor as a scene, labelled with the values of the axes.
     pub fn sweep_design(&self) -> Result<LabelledScene, String> {
         let Some(grid) = self.pages.explore.found() else {
             return Err(no_sweep(self));
@@ -77,18 +77,18 @@ impl App {
     }
 }
 
-/// The words where there is no sweep to act on yet.
+/// Returns the text for a missing sweep.
 pub(crate) fn no_sweep(app: &App) -> String {
     nothing::<PictureSweep>(app, BEING_COMPUTED, None)
 }
 
-/// The grid point nearest to the place that a text says; along an axis that it does not name it stays.
+/// Returns the grid point nearest to a typed position; axes that are not named keep their index.
 pub(super) fn place(app: &App, text: &str) -> Result<(usize, usize), String> {
     let Some(grid) = app.pages.explore.found() else { return Err(no_sweep(app)) };
     place_on(app, grid.plan().axes(), app.cursor_point(grid), text)
 }
 
-/// The point of some axes nearest to the place that a text says, from a point on.
+/// Returns the point of some axes nearest to a typed position, starting from a point.
 pub(crate) fn place_on(
     app: &App,
     axes: &[Axis],
@@ -115,7 +115,7 @@ pub(crate) fn place_on(
     Ok((x, y))
 }
 
-/// The axes with the units of bare numbers, as the field of a place names them.
+/// Iterates over the axes with the units of bare numbers, for the field of a position.
 pub(crate) fn places_of<'a>(
     app: &App,
     axes: impl IntoIterator<Item = &'a Axis>,
@@ -124,7 +124,7 @@ pub(crate) fn places_of<'a>(
     axes.into_iter().map(place).collect()
 }
 
-/// An output at a point: its value, or why there is none.
+/// Formats an output at a point: its value, or the reason why there is none.
 fn cell_words(output: &Quantity, cell: Cell) -> String {
     let name = match output.name {
         "max_plate_displacement_m" => "plate".to_owned(),
@@ -144,13 +144,13 @@ fn cell_words(output: &Quantity, cell: Cell) -> String {
     }
 }
 
-/// The axes of a grid with their values at a point.
+/// Iterates over the axes of a grid with their values at a point.
 fn values_at(grid: &Grid, point: (usize, usize)) -> impl Iterator<Item = (&Axis, f64)> {
     let axes = grid.plan().axes().iter().enumerate();
     axes.map(move |(place, axis)| (axis, grid.coordinate(point, place)))
 }
 
-/// An output with its unit: `64.27 %`, `37.98 mm`.
+/// Formats an output with its unit: `64.27 %`, `37.98 mm`.
 fn output_value(output: &Quantity, value: f64) -> String {
     if output.unit().is_empty() { significant(value, 5) } else { output.show_all_digits(value, 4) }
 }

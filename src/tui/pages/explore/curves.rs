@@ -1,5 +1,5 @@
-//! The Explore tab, drawn: an output over one variable, with a curve for each value of a second one, or over two as a map; what has
-//! no value is a letter on the axis, never a number.
+//! Drawing of the Explore tab: an output over one variable, with a curve for each value of a second one, or over two variables as a map.
+//! Points without a value are letters on the axis.
 
 use crate::tui::chart::{self, Chart, Curve, Emphasis, MARKERS};
 use crate::tui::pages::explore::held;
@@ -15,10 +15,10 @@ use cmra_studies::report::map::Map;
 use cmra_studies::report::svg::Picture;
 use cmra_studies::study::sweep::grid::{self, Grid};
 
-/// Least rows of a picture with the line of what is held above it.
+/// Minimum rows of a picture with a line of the constant variables above it.
 const HELD_FROM: u16 = 10;
 
-/// The setup, and beside it the curves or the map.
+/// Draws the setup, and beside it the curves or the map.
 pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (setup, area) = split_left(body, setup_width(body.width));
     draw_setup(app, &app.setup_form(), SETUP, setup, canvas);
@@ -43,12 +43,12 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// Whether the picture is of another scene, and none of this one is under way.
+/// Returns `true` if the picture belongs to another scene and none of this scene is being computed.
 fn is_old(app: &App) -> bool {
     app.sweep_is_old() && app.jobs.running::<PictureSweep>().is_none()
 }
 
-/// A pane that has nothing to show yet.
+/// Draws a pane without results.
 fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let title = if app.picture() == state::ChartKind::Line { "Curves" } else { "Map" };
     let inner = PaneFrame::new(title).draw(area, canvas);
@@ -57,7 +57,7 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_centred(inner, &text);
 }
 
-/// Draw the curves; `None` where there is no value to draw.
+/// Draws the curves; `None` if there are no values.
 fn curves(
     app: &App,
     grid: &Grid,
@@ -86,7 +86,7 @@ fn curves(
         Curve::new(marker, name, points).colour(index).emphasis(emphasis)
     });
     let printed = printed.iter().enumerate().map(|(index, points)| {
-        // The first says what all of them are, in pictures too.
+        // The first curve names the series, also in exported pictures.
         let name = if index == 0 { "as printed" } else { "" };
         Curve::new('.', name, points).emphasis(Emphasis::Faint)
     });
@@ -96,7 +96,7 @@ fn curves(
         ..Chart::new(title, axis_of(&axes[0]), y, printed.chain(curves).collect())
     };
     let layout = canvas.draw(&chart, area);
-    // A letter at the foot of the plot wherever the selected curve has a gap.
+    // Draw a letter at the foot of the plot at each gap of the selected curve.
     for x in 0..along {
         if let grid::Cell::Outcome(outcome) = grid.cell(x, selected, output) {
             canvas.put_gap(&layout, grid.coordinate((x, selected), 0), outcome.letter());
@@ -106,10 +106,11 @@ fn curves(
     Some(())
 }
 
-/// Parts of the values of a chart that are about as wide as its line.
+/// Approximate width of a line, as a fraction of the range of a chart.
 const LINE: f64 = 0.02;
 
-/// The curves of a figure by the scheme that the thesis prints, as far as they differ from the corrected ones by more than a line.
+/// Returns the curves of a figure by the printed scheme of the thesis, where they differ from the corrected curves by more than a line
+/// width.
 pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f64)>> {
     let found = app.pages.explore.printed.as_ref();
     let is_same = |it: &&Arc<Grid>| it.plan().axes() == grid.plan().axes();
@@ -126,7 +127,7 @@ pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f6
     (0..repeats).filter_map(curve).collect()
 }
 
-/// Draw the map; `None` where there is no value to draw.
+/// Draws the map; `None` if there are no values.
 fn map(
     app: &App,
     grid: &Grid,
@@ -138,7 +139,8 @@ fn map(
     let Some(Picture::Map(map)) = sweeps::picture(grid, output) else { return None };
     let axes = grid.plan().axes();
     let (across, up) = (&map.x, &map.y);
-    // The name of the axis across stands in the same line, with its unit, that of the axis upward, brackets and the frame's ends.
+    // The line also contains the name of the horizontal axis with its unit, the unit of the vertical axis, brackets and the ends of the
+    // frame.
     let taken = across.label.len() + across.unit.name.len() + up.unit.name.len() + 13;
     let titles = [title.to_owned(), shortened(title)].map(|it| format!("{it}, up: {}", up.label));
     let titles = titles.into_iter().chain([format!("up: {}", up.label)]);
@@ -153,7 +155,7 @@ fn map(
     Some(())
 }
 
-/// The number of a point to draw; NaN where there is none.
+/// Returns the value of a point to draw; NaN if there is none.
 fn number(point: grid::Cell) -> f64 {
     point.value().unwrap_or(f64::NAN)
 }

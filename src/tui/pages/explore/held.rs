@@ -1,4 +1,4 @@
-//! The line above the chart: what is held fixed, and where that differs from the caption of the figure.
+//! Line above the chart: the constant variables, and their differences from the caption of the figure.
 
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{index_of, shown_in};
@@ -8,12 +8,12 @@ use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::sweep::grid::Grid;
 use cmra_studies::study::thesis::caption;
 
-/// The variables of the line, by symbol: those of the figures of chapter 9, then those that a reader asks for next.
+/// Variables of the line, by symbol: those of the figures of chapter 9, then the next most useful.
 const NAMED: [&str; 8] = ["gamma", "d", "k", "n", "b", "theta", "h", "v_i"];
 /// Columns between two variables.
 const GAP: usize = 2;
 
-/// The variables that are held, as many as have room; one that differs from the caption has the caption's value behind it.
+/// Returns as many constant variables as fit; a variable that differs from the caption is followed by the caption's value.
 pub(super) fn held(app: &App, grid: &Grid, room: usize) -> Vec<TextLine> {
     let axes = grid.plan().axes();
     let captions = caption(&app.base.name);
@@ -30,7 +30,7 @@ pub(super) fn held(app: &App, grid: &Grid, room: usize) -> Vec<TextLine> {
         }
         let unit = app.unit_of(symbol);
         let show = |scene: &Scene| {
-            // A zero is one in every unit.
+            // Zero needs no unit.
             let unit = if is_zero(scene) { "" } else { unit };
             shown_in(variable, scene, unit, 4)
         };
@@ -45,7 +45,7 @@ pub(super) fn held(app: &App, grid: &Grid, room: usize) -> Vec<TextLine> {
             None => (own, Role::Dim),
         });
     }
-    // What differs comes first.
+    // Differences come first.
     parts.sort_by_key(|part| part.1 != Role::Warning);
     let mut left = room;
     parts.retain(|(text, _)| {
@@ -66,7 +66,7 @@ pub(super) fn draw(app: &App, grid: &Grid, area: Rect, canvas: &mut Canvas<'_>) 
     }
 }
 
-/// The name of an axis value in a legend, in the unit that fields show.
+/// Returns the name of an axis value in a legend, in the display unit.
 pub(super) fn legend(app: &App, axis: &Axis, at: u64) -> String {
     let unit = app.unit_of(axis.symbol());
     let number = axis.variable().number();
@@ -74,7 +74,7 @@ pub(super) fn legend(app: &App, axis: &Axis, at: u64) -> String {
         let value = number.and_then(|it| units::in_unit(value, unit, it.quantity)).unwrap_or(value);
         significant(value, 3)
     };
-    // The first of the family says what is repeated, the last in which unit.
+    // The first curve of the family shows the symbol, the last one the unit.
     let name = if at == 0 { format!("{}=", axis.symbol()) } else { String::new() };
     let is_last = at + 1 == axis.count() && !unit.is_empty();
     let unit = if is_last { format!(" {unit}") } else { String::new() };

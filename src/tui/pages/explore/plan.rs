@@ -1,4 +1,4 @@
-//! The plan of a chart or map of the Explore tab.
+//! Plan of a chart or map of the Explore tab.
 
 use crate::tui::pages::explore::state::{CURVES, ChartKind, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
@@ -7,15 +7,15 @@ use cmra_engine::model::scene::{ContactModel, SweepAxis};
 use cmra_studies::study::sweep::grid::{self, GRID_COUNTS, Grid};
 use cmra_studies::study::sweep::{Axis, Plan, Spacing, StudyError};
 
-/// Whether a preset is a figure of the thesis, drawn with the corrected physics.
+/// Returns `true` if a preset is a figure of the thesis, drawn with the corrected physics.
 pub(crate) fn is_corrected_figure(base: &ReferencePreset) -> bool {
     base.name.starts_with("figure-9.") && base.scene.contact.model == ContactModel::Hydrodynamic
 }
 
-/// Exponents of a spring between which its curves differ: at the thesis's stiffness the depth falls most steeply near 0.22.
+/// Spring exponents of the curves, chosen where they differ: at the thesis's stiffness the depth falls most steeply near 0.22.
 const EXPONENTS: [f64; 5] = [0.2, 0.25, 0.3, 0.5, 1.0];
 
-/// The values of a second axis that curves are drawn for: those of a list, else a few over the range.
+/// Returns the values of a second axis for which curves are drawn: the listed values, else a few over the range.
 fn family(second: &Axis) -> Result<Axis, StudyError> {
     let (name, (from, to)) = (second.symbol(), second.ends());
     let (low, high) = (from.min(to), from.max(to));
@@ -35,7 +35,8 @@ fn family(second: &Axis) -> Result<Axis, StudyError> {
 }
 
 impl App {
-    /// The plan of a figure's curves by the scheme that the thesis prints; `None` where the scene is no figure, or drawn by it.
+    /// Returns the plan of a figure's curves by the printed scheme of the thesis; `None` if the scene is not a figure, or already uses that
+    /// scheme.
     pub(crate) fn printed_plan(&self) -> Option<Plan> {
         if !is_corrected_figure(&self.base)
             || self.scene.contact.model != ContactModel::Hydrodynamic
@@ -48,7 +49,7 @@ impl App {
         self.sweep_plan_of(&scene).ok()
     }
 
-    /// The plan of the chart or map shown, of the present scene.
+    /// Returns the plan of the displayed chart or map for the present scene.
     pub fn sweep_plan(&self) -> Result<Plan, StudyError> {
         self.sweep_plan_of(&self.scene)
     }
@@ -70,7 +71,7 @@ impl App {
     }
 }
 
-/// Why no point of a picture has a value of an output that can be drawn, and what to do about it.
+/// Explains why an output exists at no point of a picture, with the remedy.
 pub fn no_value(grid: &Grid, output: usize) -> [String; 2] {
     let column = grid.plan().outputs()[output];
     let name = column.title();
@@ -92,7 +93,7 @@ fn cells(grid: &Grid) -> impl Iterator<Item = (usize, usize)> {
     (0..along).flat_map(move |x| (0..up).map(move |y| (x, y)))
 }
 
-/// How many points came to rest and still have no value of an output, with the letter of these gaps and what it means.
+/// Describes how many points came to rest without a value of an output, with the letter of these gaps and its meaning.
 pub(crate) fn at_rest(grid: &Grid, output: usize) -> Option<String> {
     let is_empty = |(x, y): &(usize, usize)| grid.value(*x, *y, output).is_none();
     let outcomes = cells(grid).filter(is_empty).filter_map(|(x, y)| grid.outcome(x, y));

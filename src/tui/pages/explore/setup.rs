@@ -1,4 +1,4 @@
-//! The setup of Explore as a list: axes and output. No drawing.
+//! Setup of Explore as a list: axes and output. No drawing.
 
 use crate::tui::pages::explore::plan::is_corrected_figure;
 use crate::tui::pages::explore::state::{ChartKind, SetupRow, completed, has_family, sweep_of};
@@ -15,7 +15,7 @@ use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::sweep::grid::GRID_COUNTS;
 
 impl App {
-    /// The rows of the setup, headings included.
+    /// Returns the rows of the setup, headings included.
     fn setup_rows(&self) -> Vec<SetupRow> {
         use SetupRow as R;
         let is_map = self.picture() == ChartKind::Surface;
@@ -32,14 +32,14 @@ impl App {
         rows
     }
 
-    /// The rows that can be selected.
+    /// Returns the selectable rows.
     pub fn setup_choices(&self) -> Vec<SetupRow> {
         let mut rows = self.setup_rows();
         rows.retain(|row| !matches!(row, SetupRow::Heading(_)));
         rows
     }
 
-    /// The selected row; the first of the axes where the selection is not there any more.
+    /// Returns the selected row; the first axis if the selection no longer exists.
     pub(super) fn setup_row(&self) -> SetupRow {
         let row = self.pages.explore.row;
         if self.setup_rows().contains(&row) { row } else { SetupRow::default() }
@@ -50,10 +50,10 @@ impl App {
         Form::new(&self.setup_rows(), self.setup_row(), |row| self.setup_line(row, &sweep))
     }
 
-    /// A row of the setup, with the sweep of the scene.
+    /// Returns a row of the setup, with the sweep of the scene.
     pub(crate) fn setup_line(&self, row: SetupRow, sweep: &Sweep) -> FormRow {
         let picture = self.picture();
-        // A default for the second axis is not shown as chosen.
+        // A default second axis is not displayed as chosen.
         let has_one = picture == ChartKind::Line && !has_family(&self.scene);
         match row {
             SetupRow::Heading(text) => FormRow::heading(text),
@@ -74,7 +74,7 @@ impl App {
     }
 }
 
-/// Take another value in a row.
+/// Changes the value of a row.
 pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(), String> {
     let mut sweep = sweep_of(&app.scene);
     let picture = app.picture();
@@ -106,7 +106,7 @@ pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(
     Ok(())
 }
 
-/// Show another output in the place of the one shown; where it is among them already, just that one.
+/// Replaces the displayed output; selects it alone if it is already among the outputs.
 pub(crate) fn choose_output(app: &mut App, name: &str) {
     let mut sweep = sweep_of(&app.scene);
     if let Some(there) = sweep.outputs.iter().position(|one| one == name) {
@@ -120,11 +120,11 @@ pub(crate) fn choose_output(app: &mut App, name: &str) {
     store(app, sweep, format!("show {title}"));
 }
 
-/// Another variable on an axis; across curves also none.
+/// Changes the variable of an axis; the second axis of curves may be none.
 fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     let mut sweep = sweep_of(&app.scene);
     let has_family = has_family(&app.scene);
-    // A second axis that a person chose does not give way.
+    // Keep a second axis that the user chose.
     let other = variables::find(&sweep.axes[1 - at].name).ok().filter(|_| at == 1 || has_family);
     let is_there = |variable: &&'static Variable| {
         other.is_none_or(|other| !variables::exclude_each_other(other, variable))
@@ -144,14 +144,13 @@ fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     Ok(())
 }
 
-/// Draw one curve.
+/// Removes the family of curves.
 fn without_family(app: &mut App, mut sweep: Sweep) {
     sweep.axes.truncate(1);
     store(app, sweep, "one curve".to_owned());
 }
 
-/// The sweep after a change of one of its axes: a second one that nobody chose is left out of curves, and stands beside the first one of
-/// a map.
+/// Updates the sweep after a change of one of its axes. A default second axis is removed from curves, and kept for a map.
 fn settled(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     if changed == 0 && !has_family(&app.scene) {
         sweep.axes.truncate(1);
@@ -162,7 +161,7 @@ fn settled(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     sweep
 }
 
-/// Show curves or a map, unless that cannot be made.
+/// Shows curves or a map, if possible.
 fn show_as(app: &mut App, picture: ChartKind) -> Result<(), String> {
     let state = app.snapshot();
     app.pages.explore.picture = picture;
@@ -175,7 +174,7 @@ fn show_as(app: &mut App, picture: ChartKind) -> Result<(), String> {
     Ok(())
 }
 
-/// Store a sweep that can be made, changed in one of its axes; the refusal names axis, value, rule and cure.
+/// Stores a valid sweep with one changed axis; the error names axis, value, rule and remedy.
 fn checked(app: &mut App, sweep: Sweep, changed: usize) -> Result<(), String> {
     let sweep = settled(app, sweep, changed);
     for axis in &sweep.axes {

@@ -1,8 +1,8 @@
 //! State of the Explore tab: axes, results, cursor.
 //!
-//! Axes and outputs are the scene's own `[sweep]`, so that they are undone, saved and exported with it. A scene without `[sweep]` has
-//! default axes until something is changed. The cursor does not change the scene; until it is moved it stands on the grid point nearest to
-//! the scene.
+//! Axes and outputs are stored in the scene's `[sweep]`, so they are undone, saved and exported with it. A scene without `[sweep]` has
+//! default axes until the first change. The cursor does not change the scene; before it is moved, it is at the grid point nearest to the
+//! scene.
 
 use std::sync::Arc;
 
@@ -19,13 +19,13 @@ use cmra_studies::study::sweep::{Axis, DEFAULT_OUTPUTS};
 pub use crate::tui::widgets::axis::Part;
 pub use crate::worker::studies::ChartKind;
 
-/// The curves or the map.
+/// Pane of the curves or the map.
 pub const RESULTS: Pane = Pane::new(Tab::Explore, 0);
 pub const SETUP: Pane = Pane::new(Tab::Explore, 1);
 
-/// Curves of a family.
+/// Number of curves of a family.
 pub(crate) const CURVES: u64 = 5;
-/// The axes that stand in where a scene has none: those of Figure 9.7, 9.10 and 9.11.
+/// Default axes of a scene without a sweep: those of Figures 9.7, 9.10 and 9.11.
 const DEFAULT_AXES: [(&str, f64, f64, usize); 3] =
     [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
 
@@ -45,42 +45,42 @@ impl Default for SetupRow {
 
 #[derive(Clone, Debug, Default)]
 pub struct Sweeping {
-    /// The last result, of one picture or the other.
+    /// Latest result, as curves or as a map.
     pub result: CachedResult<Grid>,
-    /// The curves of a figure by the scheme that the thesis prints.
+    /// Curves of a figure by the printed scheme of the thesis.
     pub printed: Option<Arc<Grid>>,
-    /// Why the present axes cannot be swept.
+    /// Reason why the present axes cannot be swept.
     pub problem: Option<String>,
     pub row: SetupRow,
-    /// The point under the cursor; `None`: the one nearest to the scene.
+    /// Point under the cursor; `None` for the point nearest to the scene.
     pub cursor: Option<(usize, usize)>,
     pub output: usize,
     pub picture: ChartKind,
 }
 
 impl Sweeping {
-    /// The grid, filled as far as it is, where it is of the picture shown.
+    /// Returns the grid of the displayed picture, possibly partial.
     pub fn found(&self) -> Option<&Arc<Grid>> {
         let sweep = PictureSweep::downcast(self.result.request.as_ref()?)?;
         self.result.result.as_ref().filter(|_| sweep.picture == self.picture)
     }
 
-    /// The place of the output shown among those of a sweep.
+    /// Returns the index of the displayed output among those of a sweep.
     pub fn output_of(&self, sweep: &Sweep) -> usize {
         self.output.min(sweep.outputs.len() - 1)
     }
 }
 
-/// The sweep of a scene, with usual axes and outputs where it has none; always two axes.
+/// Returns the sweep of a scene with default axes and outputs where it has none; always two axes.
 pub fn sweep_of(scene: &Scene) -> Sweep {
     completed(scene, scene.sweep.clone().unwrap_or_default())
 }
 
-/// A sweep with usual axes and outputs where it has none.
+/// Completes a sweep with default axes and outputs.
 pub(super) fn completed(scene: &Scene, mut sweep: Sweep) -> Sweep {
     for (name, from, to, count) in DEFAULT_AXES {
         let usual = SweepAxis::linear(name, from, to, count);
-        // Where another input than gamma gives the plate its size, that one.
+        // Use the scene's own input for the plate's size if it is not gamma.
         let found = variables::find(name).ok().filter(|it| variables::overrules_size(it, scene));
         let own = found.and_then(|_| variables::find(scene.plate.size.key()).ok());
         let usual = own.and_then(|own| over(scene, own, count).ok()).unwrap_or(usual);
@@ -95,18 +95,18 @@ pub(super) fn completed(scene: &Scene, mut sweep: Sweep) -> Sweep {
     sweep
 }
 
-/// Whether an axis cannot stand beside one of a variable.
+/// Returns `true` if an axis cannot be combined with one of a variable.
 fn excludes(axis: &SweepAxis, name: &str) -> bool {
     let found = variables::find(&axis.name).ok().zip(variables::find(name).ok());
     found.is_some_and(|(one, other)| variables::exclude_each_other(one, other))
 }
 
-/// Whether curves are repeated for the values of a second axis.
+/// Returns `true` if curves are repeated for the values of a second axis.
 pub fn has_family(scene: &Scene) -> bool {
     scene.sweep.as_ref().is_some_and(|sweep| sweep.axes.len() >= 2)
 }
 
-/// The place of the value of an axis nearest to a number.
+/// Returns the index of the axis value nearest to a number.
 pub fn nearest(axis: &Axis, value: f64) -> Option<usize> {
     usize::try_from(axis.nearest(value)).ok()
 }
@@ -119,7 +119,7 @@ pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
     }
 }
 
-/// A scene with some variables at these values; its label has them.
+/// Returns a scene with these values of some variables, which are also its label.
 pub fn placed<'a>(
     mut scene: Scene,
     values: impl IntoIterator<Item = (&'a Axis, f64)>,

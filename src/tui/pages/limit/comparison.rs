@@ -1,4 +1,4 @@
-//! The candidates of equal areal mass beside each other, for the design under the cursor, and what they rest on.
+//! Comparison of candidates with equal areal mass for the design under the cursor, with its basis.
 
 use crate::tui::app::running::CachedResult;
 use crate::tui::pages::limit::state::CANDIDATES;
@@ -8,16 +8,16 @@ use cmra_studies::report;
 use cmra_studies::report::compare::reasons;
 use cmra_studies::study::compare::{self, Candidate};
 
-/// Meaning of the comparison's rows, for `?`.
+/// Explanation of the comparison's rows, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring survives: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";
 
 impl App {
-    /// The comparison of the scene, where it is there.
+    /// Returns the comparison of the scene, if available.
     pub(crate) fn own_comparison(&self) -> Option<&compare::ComparisonReport> {
         of_scene(&self.pages.limit.own, &self.scene)
     }
 
-    /// The comparison of the design under the cursor, where it is there.
+    /// Returns the comparison of the design under the cursor, if available.
     fn candidates(&self) -> Option<&compare::ComparisonReport> {
         if self.pages.limit.cursor.is_none() {
             return self.own_comparison();
@@ -30,7 +30,7 @@ impl App {
     }
 }
 
-/// A comparison of this scene, once the scene itself is in it.
+/// Returns a comparison of this scene that contains the scene itself.
 fn of_scene<'a>(
     kept: &'a CachedResult<compare::ComparisonReport>,
     scene: &Scene,
@@ -64,10 +64,10 @@ fn lines(report: &compare::ComparisonReport, width: usize) -> Vec<TextLine> {
     lines
 }
 
-/// The indentation of the further lines of a sentence.
+/// Indentation of the continuation lines of a sentence.
 const CONTINUATION_INDENT: &str = "  ";
 
-/// The figures beside each other; scrolled by j and k.
+/// Draws the candidates side by side; scrolled by j and k.
 pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let focused = app.has_focus(CANDIDATES);
     let of = match app.design() {
@@ -96,7 +96,7 @@ pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put_lines(inner, 0, shown.iter().cloned());
 }
 
-/// A given number of lines at most, without the beginning of a sentence whose end has no room.
+/// Returns at most this many lines, without a truncated sentence at the end.
 fn whole(lines: &[TextLine], height: usize) -> &[TextLine] {
     let ends =
         |at: &usize| lines.get(*at).is_none_or(|next| !next.0.starts_with(CONTINUATION_INDENT));

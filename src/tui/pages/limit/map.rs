@@ -1,4 +1,4 @@
-//! The map of mass efficiency with its cursor, the slices through the cursor, and the design there.
+//! Map of mass efficiency with its cursor, the slices through the cursor, and the design there.
 
 use crate::tui::chart::{self, Chart, Curve, Frame, Mark, align_gutters};
 use crate::tui::pages::explore::cursor::{place_on, places_of};
@@ -18,11 +18,11 @@ use cmra_studies::study::sweep::Axis;
 
 /// Letter of the scene on the map.
 const SCENE: char = 'S';
-/// Least rows of two slices above each other: a title, three rows and an axis each.
+/// Minimum rows of two slices, one above the other: a title, three rows and an axis each.
 const TWO_SLICES: u16 = 10;
 
 impl App {
-    /// The map, as far as it is, where it is one of this scene: the scene differs at most in what the axes change, and lies on them.
+    /// Returns the map, possibly partial, if it belongs to this scene: the scene lies on the axes and differs in their variables only.
     pub(crate) fn efficiency_map(&self) -> Option<&EfficiencyMap> {
         let kept = &self.pages.limit.map;
         let found = kept.result.as_deref()?;
@@ -39,14 +39,14 @@ impl App {
         (own == *self.scene && axes.into_iter().all(is_on)).then_some(found)
     }
 
-    /// The point under the cursor: the one it was moved to, or the one nearest to the scene.
+    /// Returns the point under the cursor; before it is moved, the point nearest to the scene.
     fn map_point(&self, map: &EfficiencyMap) -> (usize, usize) {
         let own = |axis: &Axis| axis.get(&self.scene).and_then(|own| nearest(axis, own));
         let scene = || (own(map.x()).unwrap_or(0), own(map.y()).unwrap_or(0));
         self.pages.limit.cursor.unwrap_or_else(scene)
     }
 
-    /// The design under the cursor, which is the scene until the cursor is moved.
+    /// Returns the design under the cursor; before it is moved, the scene.
     pub(crate) fn design(&self) -> Result<LabelledScene, String> {
         let Some(at) = self.pages.limit.cursor else {
             return Ok(LabelledScene { scene: (*self.scene).clone(), label: "scene".to_owned() });
@@ -56,17 +56,17 @@ impl App {
     }
 }
 
-/// The axes of the map with their values at a point.
+/// Returns the axes of the map with their values at a point.
 fn values_at(map: &EfficiencyMap, (x, y): (usize, usize)) -> [(&Axis, f64); 2] {
     [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)))
 }
 
-/// Whether a scene has a map at all.
+/// Returns `true` if a scene has a map.
 pub(super) fn has_map(scene: &Scene) -> bool {
     !scene.is_stack() && scene.is_sprung() && default_axes(scene).is_some()
 }
 
-/// Move the cursor by points; the scene stays as it is.
+/// Moves the cursor by points; the scene is unchanged.
 pub(super) fn move_cursor(app: &mut App, by: (isize, isize)) {
     let Some(map) = app.efficiency_map() else {
         return app.report_progress(nothing::<EfficiencyMapStudy>(app, BEING_COMPUTED, None));
@@ -113,7 +113,7 @@ pub(super) fn readout(app: &App) -> Option<String> {
     Some(format!("{}: {words}", place.join(", ")))
 }
 
-/// The map, and right of it the slices through its cursor.
+/// Draws the map, and right of it the slices through its cursor.
 pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let focused = app.has_focus(EFFICIENCY_MAP);
     let found = app.efficiency_map();
@@ -154,7 +154,7 @@ pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
 }
 
-/// The mass efficiency along the row and along the column of a point.
+/// Draws the mass efficiency along the row and the column of a point.
 fn slices(map: &EfficiencyMap, (x, y): (usize, usize), area: Rect, canvas: &mut Canvas<'_>) {
     let (row, across) = map.row(y as u64);
     let (column, up) = map.column(x as u64);

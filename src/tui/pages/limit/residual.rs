@@ -1,4 +1,4 @@
-//! The ballistic limit and the residual velocity of the Limit tab, in words and drawn.
+//! Ballistic limit and residual velocity of the Limit tab, as text and as a chart.
 
 use crate::tui::chart::Emphasis;
 use crate::tui::pages::limit::area;
@@ -14,11 +14,11 @@ use cmra_studies::report::monte_carlo::{perforation, v50};
 use cmra_studies::study::limit::Limit;
 use cmra_studies::study::monte_carlo;
 
-/// Columns of a fact's label.
+/// Columns of a remark's label.
 const LABEL: u16 = 15;
 
 impl App {
-    /// Everything but the limit itself, as lines for a pane of a given number of columns.
+    /// Returns all remarks on the limit, as lines for a pane of this width.
     fn limit_lines(&self, width: u16) -> Vec<Remark> {
         let tab = &self.pages.limit;
         let Some(report) = &tab.report.result else { return Vec::new() };
@@ -32,7 +32,7 @@ impl App {
         }
         let room = usize::from(width.saturating_sub(LABEL + 2)).max(10);
         let mut lines: Vec<Remark> = Vec::new();
-        // There is no room to say what the laws are.
+        // There is no room to explain the laws.
         for mut fact in facts.into_iter().filter(|fact| fact.about != "laws") {
             for text in wrap(&fact.text, room) {
                 let about = std::mem::take(&mut fact.about);
@@ -42,31 +42,30 @@ impl App {
         lines
     }
 
-    /// Where the curve and all that is to report have no room together: how many lines of words there are, and how many are shown at
-    /// once in the place of the curve.
+    /// Returns the number of text lines and of visible lines if the text replaces the curve; `None` if curve and text both fit.
     pub(crate) fn limit_words(&self) -> Option<(usize, usize)> {
         let area = area(self, self.layout().body?, RESIDUAL)?;
         let lines = self.limit_lines(area.width).len();
-        // The first row of the body is the limit itself; a frame takes two.
+        // The first row of the body is the limit; a frame takes two rows.
         let rows = usize::from(area.height).saturating_sub(3);
         let is_crowded = lines > 0 && rows > 0 && lines + usize::from(CHART_ROWS) > rows;
         is_crowded.then_some((lines, rows))
     }
 
-    /// The scene whose limit is wanted, at the impact velocity of another one: it does not depend on that.
+    /// Returns the scene whose limit is requested, with the impact velocity of another scene, because the limit does not depend on it.
     pub fn limit_scene(&self, other: &Scene) -> Scene {
         let mut scene = (*self.scene).clone();
         scene.projectile.velocity_m_s = other.projectile.velocity_m_s;
         scene
     }
 
-    /// V50 of the scene on the screen, once it was asked for.
+    /// Returns V50 of the current scene, if it was requested.
     fn v50(&self) -> Option<&monte_carlo::MonteCarloReport> {
         let spread = &self.pages.limit.spread;
         spread.result.as_deref().filter(|_| !spread.is_stale(&self.scene))
     }
 
-    /// Whether what is wanted of the limit is neither there nor under way.
+    /// Returns `true` if the requested limit is neither cached nor being computed.
     pub(crate) fn lacks_limit(&self) -> bool {
         let tab = &self.pages.limit;
         match self.jobs.study::<LimitSearch>() {
@@ -75,20 +74,20 @@ impl App {
         }
     }
 
-    /// Whether the limit belongs to another scene than the one on the screen.
+    /// Returns `true` if the limit belongs to another scene than the current one.
     pub fn limit_is_old(&self) -> bool {
         let report = &self.pages.limit.report;
         report.is_stale(&self.limit_scene(&report.scene))
     }
 
-    /// The velocity of the shot that the limit is compared with: of its own scene, m/s.
+    /// Returns the impact velocity with which the limit is compared: that of its own scene, m/s.
     pub fn limit_shot_m_s(&self) -> f64 {
         let own = &self.pages.limit.report.scene;
         let scene = if self.limit_is_old() { own } else { &self.scene };
         scene.projectile.velocity_m_s
     }
 
-    /// The limit and the margin of the scene it belongs to, in one line of a given number of columns.
+    /// Formats the limit and the margin of its scene in one line of this width.
     pub fn limit_headline(&self, width: usize) -> Option<String> {
         let report = self.pages.limit.report.result.as_ref()?;
         let of = if self.limit_is_old() { " of another scene" } else { "" };
@@ -120,9 +119,9 @@ impl App {
     }
 }
 
-/// Draw the pane of the residual velocity.
+/// Draws the pane of the residual velocity.
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    // Until something is found nothing stands above the pane.
+    // The line above the pane is empty without a result.
     let room = usize::from(area.width.saturating_sub(2));
     let Some(head) = app.limit_headline(room) else { return chart(app, area, canvas) };
     let role = if app.limit_is_old() { Role::Warning } else { Role::Title };
@@ -171,7 +170,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         if old {
             curve.emphasis = Emphasis::Stale;
         }
-        // The words beside the chart name the laws in full.
+        // The text beside the chart gives the full names of the laws.
         match (area.width < 56, &*curve.label) {
             (true, "Recht-Ipson") => curve.label = "R-I".into(),
             (true, "Lambert-Jonas") => curve.label = "L-J".into(),

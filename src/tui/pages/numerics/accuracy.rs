@@ -1,5 +1,4 @@
-//! The Accuracy page: error against run time as a chart with a letter for each method, their table, and what it means here, in words
-//! and drawn.
+//! Accuracy page: chart of error over run time with a letter for each method, table of the methods, and recommendations.
 
 use crate::tui::chart::emphasis;
 use crate::tui::pages::numerics::state::ACCURACY;
@@ -16,17 +15,17 @@ use cmra_studies::report::accuracy::{
 use cmra_studies::study::accuracy::method::Method;
 use cmra_studies::study::accuracy::{Compared, ComparisonOptions, MethodReport};
 
-/// Columns of a method's letter before the table.
+/// Columns for a method's letter before the table.
 const LETTER: u16 = 2;
-/// The columns of the table of methods.
+/// Columns of the table of methods.
 const KEYS: [&str; 4] = ["method", "run_time_s_to_1e-6", "least_error", "run_time_s_to_1e-9"];
 
-/// Rows of the answer above the chart; least and most rows of what leaving out gains below it.
+/// Rows of the recommendation above the chart; minimum and maximum rows of the speed-ups from omitted terms below it.
 const ANSWER_ROWS: u16 = 1;
 const GAIN_ROWS: (u16, u16) = (3, 6);
 
 impl App {
-    /// The scene on the screen at the tolerance of what was measured: every tolerance is, whichever the scene has.
+    /// Returns the current scene with the tolerance of the measurements, which vary it in any case.
     pub(crate) fn accuracy_scene(&self) -> Scene {
         let RunSettings { tolerance, .. } = self.pages.numerics.accuracy.report.scene.run;
         let run = RunSettings { tolerance, ..self.scene.run };
@@ -81,7 +80,7 @@ impl App {
         std::iter::once(format!("error {}", advice(report))).chain(printed).chain(gains).collect()
     }
 
-    /// All about the selected method: its example point, then what it refused and why.
+    /// Describes the selected method: its example point, then the rejected points with reasons.
     pub fn accuracy_details(&self) -> Vec<TextLine> {
         let tab = &self.pages.numerics.accuracy;
         let method = tab.method();
@@ -110,7 +109,7 @@ impl App {
     }
 }
 
-/// The selected row in words.
+/// Describes the selected row.
 pub(crate) fn readout(app: &App) -> Option<String> {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
@@ -127,7 +126,7 @@ pub(crate) fn readout(app: &App) -> Option<String> {
     Some(format!("{} reaches an error of {first}, {second}{least}", method.name()))
 }
 
-/// The tab is shown: measure, unless this scene has been or is being measured.
+/// Starts the measurement unless this scene has been or is being measured.
 pub(crate) fn enter(app: &mut App) {
     if app
         .jobs
@@ -146,13 +145,13 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// Whether the selected method is one that a scene is run by, and its tolerance is known for this scene.
+/// Returns `true` if the selected method can run scenes and its tolerance is known for this scene.
 pub(crate) fn can_use(app: &App) -> bool {
     let tab = &app.pages.numerics.accuracy;
     tab.usable().is_some() && !tab.report.is_stale(&app.accuracy_scene())
 }
 
-/// Give the scene the tolerance by which `auto` reaches the accuracy requested first.
+/// Sets the scene's tolerance to the one with which `auto` reaches the first target accuracy.
 fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
@@ -226,7 +225,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.draw(&chart, area);
 }
 
-/// The table, and below it a description of the selected method.
+/// Draws the table, and below it a description of the selected method.
 fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.numerics.accuracy;
     let methods: &[MethodReport] = tab.report.result.as_ref().map_or(&[], |report| &report.methods);
@@ -252,7 +251,7 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let from = 1 + u16::try_from(count).unwrap_or(u16::MAX);
     let room = usize::from(inner.height.saturating_sub(from));
     let blank = u16::from(lines.len() < room);
-    // A heading alone says nothing.
+    // Omit a heading without rows.
     if room > 1 {
         canvas.put_lines(inner, from + blank, lines);
     }

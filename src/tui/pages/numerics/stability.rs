@@ -1,4 +1,4 @@
-//! The Stability page: the map and the stiff scenes, what is selected in them, in words and drawn.
+//! Stability page: map, stiff scenes and selected item, as text and drawing.
 
 use crate::tui::pages::numerics::state::{STABILITY, STIFF_SCENES};
 use crate::tui::pages::page::prelude::*;
@@ -25,17 +25,17 @@ pub(crate) fn stiff_scenes_words() -> String {
     )
 }
 
-/// The columns of the table of stiff scenes.
+/// Returns the columns of the table of stiff scenes.
 fn keys() -> Vec<&'static str> {
     ["scene", "shortfall"].into_iter().chain(HOW_IT_RAN).chain(["reference"]).collect()
 }
 
 impl App {
-    /// The cell at the crosshair in words.
+    /// Describes the cell at the crosshair.
     pub fn map_readout(&self) -> Option<String> {
         let tab = &self.pages.numerics.stability;
         let (map, (column, row)) = tab.map.result.as_ref().zip(tab.cursor())?;
-        // In one row of 80 columns: a second one would move the map.
+        // Use one row of 80 columns, because a second one would move the map.
         let here = if tab.present() == Some((column, row)) { "the scene: " } else { "" };
         Some(format!(
             "{here}dt {} s, {} {}: {}",
@@ -83,7 +83,7 @@ impl App {
     }
 }
 
-/// Keep what was found; a map of another variable has its cursor elsewhere.
+/// Stores a result; resets the cursor for a map of another variable.
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     let tab = &mut app.pages.numerics.stability;
     let before = tab.map.result.clone();
@@ -132,7 +132,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// The cell nearest to the place that a text says; along an axis that it does not name it stays.
+/// Returns the cell nearest to a typed position; axes that are not named keep their index.
 pub(super) fn place(app: &App, text: &str) -> Result<Option<(usize, usize)>, String> {
     let tab = &app.pages.numerics.stability;
     let Some((map, (column, row))) = tab.map.result.as_ref().zip(tab.cursor()) else {
@@ -153,7 +153,7 @@ pub(super) fn place(app: &App, text: &str) -> Result<Option<(usize, usize)>, Str
     Ok(map.nearest(at(0, map.dt_s[column]), at(1, map.values[row])))
 }
 
-/// The request of the map that is selected.
+/// Returns the request of the selected map.
 fn map_of(app: &App) -> StabilityMap {
     let tab = &app.pages.numerics.stability;
     StabilityMap(StabilityMapRequest { method: tab.method(), axis: tab.axis(), size: map::SIZE })
@@ -169,14 +169,14 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let inner = pane.draw(area, canvas);
         return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", None));
     };
-    // Its vertical axis has no label of its own here.
+    // The vertical axis has no label here.
     let title = format!("{}; up: {}{old}", title(found), found.axis.symbol());
     let cursor = tab.cursor();
     let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
     let layout = canvas.draw_map(&map, area);
     let (low, high) = (map.y.view.lo(), map.y.view.hi());
     canvas.plot(&layout, |dt_s, value| {
-        // Rows reach half a point beyond the map, and more where that makes their values round.
+        // Rows extend half a point beyond the map, and more if that makes their values round.
         Some(Target::Cell(STABILITY, found.nearest(dt_s, value.clamp(low, high))?))
     });
 }

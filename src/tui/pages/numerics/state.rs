@@ -9,29 +9,29 @@ use cmra_studies::study::accuracy::{AccuracyReport, Measured, MethodReport};
 use cmra_studies::study::stability::Row;
 use cmra_studies::study::stability::map::{Axis, FixedStep, Map};
 
-/// Error against run time.
+/// Pane of error over run time.
 pub const ACCURACY: Pane = Pane::new(Tab::Numerics, 0);
 pub const STABILITY: Pane = Pane::new(Tab::Numerics, 1);
 pub const STIFF_SCENES: Pane = Pane::new(Tab::Numerics, 2);
 
 #[derive(Clone, Debug, Default)]
 pub struct Numerics {
-    /// Error against run time.
+    /// Error over run time.
     pub accuracy: Accuracy,
-    /// The map of stability and the stiff scenes.
+    /// Stability map and stiff scenes.
     pub stability: Stability,
 }
 
 #[derive(Clone, Debug, Default)]
 pub struct Accuracy {
     pub report: CachedResult<AccuracyReport>,
-    /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
+    /// Row of the selected method in [`Method::ALL`]; `None` for the fastest method that reaches the first target.
     pub selected: Option<usize>,
 }
 
 impl Accuracy {
     pub fn selected_row(&self) -> usize {
-        // What a scene is run by, where it reaches the target.
+        // The method that runs scenes, if it reaches the target.
         let is_reached = self.tolerance().is_some();
         let auto = || Method::ALL.iter().position(|one| is_reached && *one == Method::Auto);
         self.selected.or_else(auto).unwrap_or(0).min(Method::ALL.len() - 1)
@@ -41,12 +41,12 @@ impl Accuracy {
         Method::ALL[self.selected_row()]
     }
 
-    /// The tolerance at which what a scene is run by reaches the first target, as the answer above the methods names it.
+    /// Returns the tolerance at which the default method reaches the first target, as in the recommendation.
     pub fn tolerance(&self) -> Option<f64> {
         Some(self.report.result.as_ref()?.usable(TARGETS[0])?.parameter.value())
     }
 
-    /// The tolerance that the selected method gives the scene; `None` of a method that is here for comparison.
+    /// Returns the tolerance of the selected method for the scene; `None` for a method that is for comparison only.
     pub fn usable(&self) -> Option<f64> {
         self.tolerance().filter(|_| self.method() == Method::Auto)
     }
@@ -55,7 +55,7 @@ impl Accuracy {
         self.report.result.as_ref()?.methods.iter().find(|one| one.method == method)
     }
 
-    /// The point of the selected method that can be used, else its most accurate one.
+    /// Returns the usable point of the selected method, else its most accurate point.
     pub fn example(&self) -> Option<(Parameter, &Measured)> {
         let report = self.method_report(self.method())?;
         let usable = self.usable().map(Parameter::Tolerance);
@@ -66,13 +66,13 @@ impl Accuracy {
 
 #[derive(Clone, Debug, Default)]
 pub struct Stability {
-    /// Index of the map shown: the variables by the first method, then by the second.
+    /// Index of the displayed map: the variables with the first method, then with the second.
     pub view: usize,
     pub map: CachedResult<Map>,
-    /// The crosshair: column and row of the map; `None` at the present point.
+    /// Crosshair as column and row of the map; `None` for the present point.
     pub cursor: Option<(usize, usize)>,
     pub battery: CachedResult<Vec<Row>>,
-    /// The selected scene.
+    /// Selected scene.
     pub selected: usize,
 }
 
@@ -85,12 +85,12 @@ impl Stability {
         Axis::ALL[self.view % Axis::ALL.len()]
     }
 
-    /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
+    /// Returns the cell of the present point, at the scene's value and the thesis's step; `None` outside the map.
     pub fn present(&self) -> Option<(usize, usize)> {
         self.map.result.as_ref()?.present_at()
     }
 
-    /// Where the crosshair stands: the middle of the map where nothing else is known.
+    /// Returns the cell of the crosshair; the middle of the map by default.
     pub fn cursor(&self) -> Option<(usize, usize)> {
         let map = self.map.result.as_ref()?;
         let middle = (map.dt_s.len() / 2, map.values.len() / 2);

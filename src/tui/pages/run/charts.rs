@@ -1,4 +1,4 @@
-//! The content of the charts: quantities, the times shown, the crosshair, and the points of every curve. No drawing.
+//! Content of the charts: quantities, time ranges, crosshair, and points of every curve. No drawing.
 
 pub(crate) mod draw;
 mod titles;
@@ -16,24 +16,24 @@ use cmra_engine::numerics::{larger, smaller};
 use cmra_studies::report::figures::run::contact_window_s;
 use cmra_studies::report::series::{Channel, thinned};
 
-/// The points of one run, SI.
+/// Points of a run, SI.
 #[derive(Clone, Debug)]
 pub struct Curve<'a> {
     pub view: RunView<'a>,
-    /// Time, s, and value; a gap where the value is not a number.
+    /// Time, s, and value; NaN for a gap.
     pub points: Vec<(f64, f64)>,
 }
 
-/// How far a press moves the crosshair, as a share of the range in view.
+/// Crosshair step, as a fraction of the displayed range.
 const STEP: f64 = 0.01;
 
-/// A plate is as good as held that moves less than this part of the depth.
+/// Plate displacement relative to the depth below which a plate counts as fixed.
 const HELD: f64 = 1e-3;
 
-/// Part of its way at which a plate has settled.
+/// Fraction of its path at which a plate counts as settled.
 const SETTLED: f64 = 1e-2;
 
-/// Whether the plate of a run does not move, or so little that nobody sees it beside the depth.
+/// Returns `true` if the plate does not move visibly compared with the depth.
 pub(crate) fn is_held(run: &Run) -> bool {
     let farthest = run.max_plate_displacement_m.map(f64::abs);
     let starts_at_zero = run.scene.start_m() == 0.0;
@@ -41,8 +41,8 @@ pub(crate) fn is_held(run: &Run) -> bool {
     starts_at_zero && share.is_some_and(|share| share < HELD)
 }
 
-/// The end of what the whole response shows, s: of a plate that creeps on, half as long again as until it has settled to a hundredth of its
-/// way; one that nothing stops is followed for two contact times.
+/// Returns the end time of the whole response, s. For a slowly returning plate, 1.5 times the time to settle to a hundredth of its path; if
+/// nothing stops the plate, two contact times.
 fn whole_s(run: &Run) -> f64 {
     let Some(last) = run.series.last() else { return 0.0 };
     let ahead_m = |row: &Sample| (row.plate_displacement_m - last.plate_displacement_m).abs();
@@ -53,14 +53,14 @@ fn whole_s(run: &Run) -> f64 {
     if is_free(run) { larger(end_s, 2.0 * run.contact_end_s()) } else { end_s }
 }
 
-/// Whether nothing ever stops the plate.
+/// Returns `true` if nothing stops the plate.
 pub(crate) fn is_free(run: &Run) -> bool {
     let is_known = run.end.is_complete() && run.at_least.plate_displacement_m.is_none();
     is_known && run.max_plate_displacement_m.is_none()
 }
 
 impl App {
-    /// The end of the time that a chart shows, s: it begins with the contact.
+    /// Returns the end time of a chart, s; the start is the first contact.
     pub fn end_s(&self, chart: usize) -> f64 {
         let of = |run: &Run| match self.pages.run.charts.windows[chart] {
             Window::Contact => contact_window_s(run),
@@ -71,16 +71,16 @@ impl App {
         if end_s > 0.0 { end_s } else { 1e-3 }
     }
 
-    /// The curves of a chart: of each run the points in view, and the one behind them.
+    /// Returns the curves of a chart: for each run the points in view and the next one.
     pub fn curves(&self, chart: usize) -> Vec<Curve<'_>> {
         let (quantity, end_s) = (self.pages.run.charts.quantities[chart], self.end_s(chart));
         let points = |run: &Run| {
             let seen = run.series.partition_point(|sample| sample.t_s <= end_s) + 1;
-            // Over the displacement the whole way is drawn.
+            // Over the displacement the whole path is drawn.
             let samples = run.series.get(..seen).filter(|_| quantity.is_over_time());
             let mut points = quantity.points(run, samples.unwrap_or(&run.series));
             if quantity == Channel::ContactForce && is_held(run) {
-                // After the arrest it is that of a vibration which nobody sees.
+                // After the arrest the curve would show an invisible vibration.
                 points.retain(|point| point.0 <= run.contact_end_s());
             }
             if quantity == Channel::PlateDisplacement && is_free(run) {
@@ -95,7 +95,7 @@ impl App {
         runs.map(|view| Curve { view, points: points(view.run) }).collect()
     }
 
-    /// Move the crosshair by hundredths of the range in view; it starts in the middle.
+    /// Moves the crosshair by hundredths of the displayed range, starting in the middle.
     pub fn move_cursor(&mut self, by: isize) {
         let end_s = self.end_s(self.pages.run.charts.selected);
         let moved = |here: f64| (here + by as f64 * STEP * end_s).clamp(0.0, end_s);
@@ -104,7 +104,7 @@ impl App {
     }
 }
 
-/// Do what a key means.
+/// Performs an action on the charts.
 pub(crate) fn act(app: &mut App, action: Action) -> bool {
     use Action as A;
     let selected = app.pages.run.charts.selected;
@@ -126,7 +126,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// The time that a text says, s, on the axis of the selected chart.
+/// Parses a time, s, on the axis of the selected chart.
 pub(crate) fn place(app: &App, text: &str) -> Result<Option<f64>, String> {
     let end_s = app.end_s(app.pages.run.charts.selected);
     let unit = Unit::with_prefix(end_s, "s").name;
@@ -137,7 +137,7 @@ pub(crate) fn place(app: &App, text: &str) -> Result<Option<f64>, String> {
     Ok(place::values(text, &["t"], read)?[0])
 }
 
-/// The selected chart shows the other part of the time.
+/// Switches the time range of the selected chart.
 fn window(app: &mut App) {
     let charts = &mut app.pages.run.charts;
     let (window, name) =
@@ -160,8 +160,8 @@ mod tests {
     use cmra_engine::model::simulate::{RunSnapshot, Settings, simulate};
     use cmra_engine::model::variables::changed;
 
-    /// Without inertia x' = -k x^n/b comes from d to a hundredth of it after `b (100^(n-1) - 1)/(k (n-1) d^(n-1))`, 602 s, and goes on for
-    /// ever.
+    /// Without inertia, x' = -k x^n/b takes `b (100^(n-1) - 1)/(k (n-1) d^(n-1))` = 602 s from d to a hundredth of d, and continues
+    /// forever.
     #[test]
     fn valid_the_whole_response_of_a_plate_that_creeps_on_is_that_until_it_has_settled() {
         let scene = changed(Scene::default(), "d=0.05 b=400 k=1e4 n=2.3").unwrap();

@@ -1,4 +1,4 @@
-//! The list of variables: which rows there are, which is selected, and how a value is shown. No drawing.
+//! List of variables: rows, selection, and formatting of values. No drawing.
 
 pub(crate) mod draw;
 
@@ -9,8 +9,8 @@ use cmra_engine::model::scene::{Scene, SpringKind};
 use cmra_engine::model::units::{self, significant};
 use cmra_engine::model::variables::{VARIABLES, Value, Variable, is_offered, is_used};
 
-/// The variables that the thesis designs with, and those that it is given: they are always in the list. Each has a word for where
-/// its label is too long.
+/// Main variables, always in the list: the design variables and given parameters of the thesis. Each has a short label in case its label is
+/// too long.
 const DESIGN: [(&str, &str); 7] = [
     ("gamma", "mass"),
     ("d", "cocking"),
@@ -34,18 +34,18 @@ const ANALYSIS: [(&str, &str); 7] = [
 pub struct Editor {
     /// Selected variable, by index into the table.
     pub selected: usize,
-    /// The text that the rows shown match.
+    /// Filter text of the rows.
     pub filter: String,
-    /// The arrow step in use: the variable and its decade, kept while the arrows go on.
+    /// Arrow step in use: the variable and its decade, constant during repeated arrow keys.
     pub stepped: Option<(usize, i32)>,
-    /// The units that values were typed in, by index into the table: they are shown in these.
+    /// Typed units, by index into the table, used for display.
     pub units: BTreeMap<usize, &'static str>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum EditorRow {
     Heading(&'static str),
-    /// A variable, by index into the table.
+    /// Variable, by index into the table.
     Variable(usize),
 }
 
@@ -55,12 +55,12 @@ impl EditorRow {
     }
 }
 
-/// Where a symbol stands in the table.
+/// Returns the index of a symbol in the table.
 pub(crate) fn index_of(symbol: &str) -> usize {
     VARIABLES.iter().position(|variable| variable.symbol == symbol).unwrap_or_default()
 }
 
-/// The short label of a main variable; `None` of another one.
+/// Returns the short label of a main variable; `None` for others.
 fn short_label(variable: &Variable) -> Option<&'static str> {
     let mut all = DESIGN.iter().chain(&ANALYSIS);
     all.find(|(symbol, _)| *symbol == variable.symbol).map(|(_, label)| *label)
@@ -70,7 +70,7 @@ fn is_main(variable: &Variable) -> bool {
     short_label(variable).is_some()
 }
 
-/// The variables that the scene's kind of spring has and a power law has not; empty where stiffness and exponent act.
+/// Returns the variables of the scene's kind of spring that a power law lacks; empty for a power law.
 fn spring_rows(scene: &Scene) -> Vec<usize> {
     if scene.mechanism.spring.kind == SpringKind::PowerLaw {
         return Vec::new();
@@ -86,7 +86,7 @@ fn spring_rows(scene: &Scene) -> Vec<usize> {
 }
 
 impl Default for Editor {
-    /// The first design variable is selected.
+    /// Selects the first design variable.
     fn default() -> Self {
         let (filter, stepped, units) = Default::default();
         Self { selected: index_of(DESIGN[0].0), filter, stepped, units }
@@ -94,7 +94,7 @@ impl Default for Editor {
 }
 
 impl Editor {
-    /// The variables beside the main ones that the scene offers.
+    /// Iterates over the offered variables that are not main variables.
     fn more(scene: &Scene) -> impl Iterator<Item = usize> {
         let all = VARIABLES.iter().enumerate();
         let own = spring_rows(scene);
@@ -105,7 +105,7 @@ impl Editor {
         all.filter(move |(_, variable)| is_more(variable)).map(|(index, _)| index)
     }
 
-    /// The rows, those of More where they are unfolded; under a filter those that match, best first, without headings.
+    /// Returns the rows, with those of More if unfolded; under a filter the matching rows, best first, without headings.
     fn rows(&self, scene: &Scene, is_unfolded: bool) -> Vec<EditorRow> {
         if !self.filter.is_empty() {
             let all = VARIABLES.iter().enumerate();
@@ -117,7 +117,7 @@ impl Editor {
         let mut rows = named(DESIGN).to_vec();
         let own = spring_rows(scene);
         if !own.is_empty() {
-            // The kind of spring has rows of its own in the place of stiffness and exponent.
+            // Other kinds of springs have their own rows in place of stiffness and exponent.
             let law = ["k", "n"].map(|symbol| EditorRow::Variable(index_of(symbol)));
             let at = rows.iter().position(|row| *row == law[0]).unwrap_or(0);
             rows.retain(|row| !law.contains(row));
@@ -132,12 +132,12 @@ impl Editor {
         rows
     }
 
-    /// The variables that pass the filter, in order of the list.
+    /// Returns the variables that match the filter, in the order of the list.
     pub fn listed(&self, scene: &Scene) -> Vec<usize> {
         self.rows(scene, true).into_iter().filter_map(EditorRow::variable).collect()
     }
 
-    /// Whether the selected variable is among the rows shown: one that is not cannot be edited.
+    /// Returns `true` if the selected variable is visible; otherwise it cannot be edited.
     pub fn shows(&self, scene: &Scene) -> bool {
         self.listed(scene).contains(&self.selected)
     }
@@ -146,13 +146,13 @@ impl Editor {
         &VARIABLES[self.selected.min(VARIABLES.len() - 1)]
     }
 
-    /// The unit that a variable is shown in, and that a bare number typed for it has.
+    /// Returns the display unit of a variable, also the unit of bare numbers typed for it.
     pub fn unit(&self, index: usize) -> &'static str {
         let usual = || VARIABLES[index].number().map_or("", |number| number.quantity.shown_unit());
         self.units.get(&index).copied().unwrap_or_else(usual)
     }
 
-    /// Shows a variable in the unit that was typed, a single value or a range `LO..HI`, if that unit has a usual name.
+    /// Displays a variable in the typed unit (of a value or a range `LO..HI`) if that unit has a standard name.
     pub fn show_in_unit_of(&mut self, index: usize, text: &str) {
         let is_relative = text.starts_with(['*', '/', '+', '-']) && text.ends_with('%');
         let end = text.rsplit("..").next().unwrap_or(text);
@@ -164,13 +164,13 @@ impl Editor {
     }
 }
 
-/// The value in the unit that people read it in: `25.4 mm`.
+/// Formats the value in the unit of screens: `25.4 mm`.
 pub fn shown_value(variable: &Variable, scene: &Scene) -> String {
     let unit = variable.number().map_or("", |number| number.quantity.shown_unit());
     shown_in(variable, scene, unit, 6)
 }
 
-/// The value in a unit, in so many digits.
+/// Formats the value in a unit, with this many digits.
 pub(crate) fn shown_in(variable: &Variable, scene: &Scene, unit: &str, digits: usize) -> String {
     match variable.value(scene) {
         Value::Number(_) => {
@@ -182,7 +182,7 @@ pub(crate) fn shown_in(variable: &Variable, scene: &Scene, unit: &str, digits: u
     }
 }
 
-/// The number alone; what is none as it is.
+/// Formats the number without its unit; other values unchanged.
 pub(crate) fn number_in(variable: &Variable, scene: &Scene, unit: &str, digits: usize) -> String {
     let shown = || {
         let number = variable.number()?;

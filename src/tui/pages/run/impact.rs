@@ -1,5 +1,5 @@
-//! The impact itself, below an enlarged chart: a drawing to scale at the time of the crosshair, with velocities, forces, and where the
-//! energy is; and its playing.
+//! Drawing of the impact below an enlarged chart, to scale at the time of the crosshair, with velocities, forces and energies; and its
+//! animation.
 
 mod raster;
 
@@ -18,19 +18,19 @@ use cmra_studies::report::energies::Energies;
 use cmra_studies::report::figures::impact::{Stage, mode_words};
 use cmra_studies::report::series::state_at;
 
-/// Part of the body's rows for the drawing, in percent.
+/// Percentage of the body's rows for the drawing.
 const SHARE: u16 = 62;
-/// Least rows of a body that has room for chart and drawing.
+/// Minimum rows of a body with chart and drawing.
 const LEAST: u16 = 11;
-/// Rows inside the frame from which on the numbers have a row of their own.
+/// Minimum rows inside the frame for a separate row of numbers.
 const NUMBERS_FROM: u16 = 7;
 
-/// Time between two pictures that are played.
+/// Time between animation frames.
 const TICK: Duration = Duration::from_millis(50);
-/// Pictures from the start to the end of a chart's time: 4 s.
+/// Animation frames over the time range of a chart: 4 s.
 const TICKS: f64 = 80.0;
 
-/// The rows of the drawing below an enlarged chart in a body so high; none where there is no room.
+/// Returns the rows of the drawing below an enlarged chart in a body of this height; 0 if there is no room.
 pub(crate) fn rows(height: u16) -> u16 {
     if height < LEAST { 0 } else { height * SHARE / 100 }
 }
@@ -106,7 +106,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     }
 }
 
-/// Velocities, depth, displacement and forces, the most important first.
+/// Formats velocities, depth, displacement and forces, the most important first.
 fn numbers(run: &Run, state: &Sample) -> Vec<String> {
     let scene = &run.scene;
     let speed = |name: &str, value: f64| format!("{name} {}", engineering(value, "m/s", 3));
@@ -148,12 +148,12 @@ fn numbers(run: &Run, state: &Sample) -> Vec<String> {
     all
 }
 
-/// Columns of a part's bar and number beside its name: blanks, and up to five characters.
+/// Columns for the bar and the number of a part, besides its name: blanks, and up to five characters.
 const NUMBER: usize = 9;
-/// Least columns for the bar of the whole energy in one row; with less there are two rows, where there is room.
+/// Minimum columns for the bar of the total energy in one row; narrower panes use two rows if they fit.
 const BAR_LEAST: usize = 12;
 
-/// Where the energy is: names, bars of one scale and numbers, in one row or two.
+/// Returns the energies as names, bars of a common scale and numbers, in one or two rows.
 fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> Vec<String> {
     let Some(energies) = Energies::at(run, t_s) else { return Vec::new() };
     let whole_j = energies.sum_j();
@@ -167,7 +167,7 @@ fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> V
         let text = format!("{:.decimals$}", value_j / prefix.size);
         if text.parse() == Ok(0.0) { "0".to_owned() } else { text }
     };
-    // Parts that a scene cannot have are left out.
+    // Omit parts that the scene cannot have.
     let last = Energies::at(run, f64::INFINITY).unwrap_or_default().parts();
     let is_used = |(at, part): &(usize, (&'static str, f64))| {
         let ever_j = larger(part.1.abs(), last[*at].1.abs());
@@ -186,7 +186,7 @@ fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> V
     let widest = rows.iter().map(|row| taken(row)).max().unwrap_or(0);
     let room = width.saturating_sub(widest + lead.len());
     if room == 0 {
-        // What is nothing goes first, then long names: no number is cut.
+        // To save space omit zero parts first, then shorten names; numbers are not shortened.
         let text = |parts: &[(&str, f64)], gap: &str| {
             let words = parts.iter().map(|(name, value_j)| format!("{name} {}", number(*value_j)));
             format!("{unit}: {}", words.collect::<Vec<_>>().join(gap))
@@ -214,19 +214,19 @@ fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> V
 }
 
 impl App {
-    /// The time of the drawing: that of the crosshair, or the middle of the selected chart's, s.
+    /// Returns the time of the drawing, s: that of the crosshair, or the middle of the selected chart.
     pub(crate) fn time_shown_s(&self) -> f64 {
         let charts = &self.pages.run.charts;
         charts.cursor_s.unwrap_or_else(|| 0.5 * self.end_s(charts.selected))
     }
 
-    /// Ends the playing; returns whether anything was played.
+    /// Ends the animation; returns whether it was active.
     pub(crate) fn stop_playing(&mut self) -> bool {
         std::mem::take(&mut self.pages.run.charts.is_playing)
     }
 }
 
-/// Plays what the selected chart shows, from its crosshair on, or from the start once it is at the end.
+/// Starts the animation of the selected chart at its crosshair, or at the start if the crosshair is at the end.
 pub(crate) fn play(app: &mut App) {
     app.focus_on(CHARTS);
     app.pages.run.is_full = true;
@@ -239,7 +239,7 @@ pub(crate) fn play(app: &mut App) {
     app.request(Effect::After(TICK, Message::Tick(serial)));
 }
 
-/// Shows the next picture of what is played.
+/// Shows the next animation frame.
 pub(crate) fn tick(app: &mut App, serial: u64) {
     let charts = &app.pages.run.charts;
     if !charts.is_playing || charts.serial != serial {
@@ -248,7 +248,7 @@ pub(crate) fn tick(app: &mut App, serial: u64) {
     let end_s = app.end_s(charts.selected);
     let next_s = charts.cursor_s.unwrap_or(0.0) + end_s / TICKS;
     let charts = &mut app.pages.run.charts;
-    // The sum of the parts is the whole but for rounding.
+    // The sum of the steps equals the end time except for rounding error.
     charts.is_playing = next_s < end_s * (1.0 - 1e-9);
     charts.cursor_s = Some(if charts.is_playing { next_s } else { end_s });
     if charts.is_playing {

@@ -10,14 +10,14 @@ use cmra_studies::report::sensitivity::{CELLS, Shown, bar, words};
 use cmra_studies::study::quantities::find;
 use cmra_studies::study::sensitivity::{OUTPUT, POINTS, Request, SensitivityReport};
 
-/// The results that bars show in turn, each with a word.
+/// Outputs of the bars in cyclic order, each with a label.
 const OUTPUTS: [(&str, &str); 3] =
     [(OUTPUT, "depth"), ("max_plate_displacement_m", "travel"), ("peak_contact_force_n", "force")];
 
-/// A bar beside a variable.
+/// Bar beside a variable.
 pub(crate) struct Bar {
     pub text: String,
-    /// The cell of the scene's value.
+    /// Cell of the scene's value.
     pub own: Option<usize>,
 }
 
@@ -27,7 +27,7 @@ impl Matters {
         Some(Request { over: Vec::new(), output: find(name).filter(|_| name != OUTPUT) })
     }
 
-    /// The report of the result shown.
+    /// Returns the report of the displayed output.
     fn report(&self) -> Option<&SensitivityReport> {
         let request = SearchRequest::Sensitivity(self.request()?);
         let is_asked = **SearchRequest::downcast(self.kept.request.as_ref()?)? == request;
@@ -37,14 +37,14 @@ impl Matters {
         }
     }
 
-    /// Whether looking computes no more of the report of a scene: it is complete, or its time was used up.
+    /// Returns `true` if the report of a scene is complete, or its time limit is used up.
     fn is_settled(&self, scene: &Scene) -> bool {
         let kept = &self.kept;
         self.report().is_some() && *kept.scene == *scene && kept.has_been_looked_at(jobs::LOOK)
     }
 }
 
-/// The next result, or words again.
+/// Shows the next output, or labels instead of bars.
 pub(crate) fn next(app: &mut App) {
     let matters = &mut app.pages.run.matters;
     matters.output = match matters.output {
@@ -76,7 +76,7 @@ fn look(app: &mut App) {
     }
 }
 
-/// A key has been pressed: the rest before the bars are computed begins again.
+/// Restarts the idle time before the bars are computed, because a key was pressed.
 pub(crate) fn wait(app: &mut App) {
     let matters = &app.pages.run.matters;
     if matters.output.is_some() && !matters.is_settled(&app.scene) {
@@ -84,12 +84,12 @@ pub(crate) fn wait(app: &mut App) {
     }
 }
 
-/// The rest is over: the bars are computed, unless the run of the scene still goes on.
+/// Computes the bars after the idle time, unless the run of the scene is still active.
 pub(crate) fn rested(app: &mut App) {
     if app.jobs.current.is_some() { wait(app) } else { look(app) }
 }
 
-/// Computes what a look did not reach; returns `false` where nothing is missing.
+/// Computes the rest of the bars on request; returns `false` if they are complete.
 pub(crate) fn fill(app: &mut App, action: Action) -> bool {
     let matters = &app.pages.run.matters;
     let is_partial = matters.report().is_some_and(|report| report.points_least() < POINTS);
@@ -101,7 +101,7 @@ pub(crate) fn fill(app: &mut App, action: Action) -> bool {
     true
 }
 
-/// Keeps what a report of the study brings.
+/// Stores the results of a report.
 pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     if SearchRequest::downcast(&running.request).is_some() {
         app.pages.run.matters.kept.keep(running, news);
@@ -109,7 +109,7 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
 }
 
 impl App {
-    /// The result of the bars, and its scale; `None` where words are shown.
+    /// Returns the output and the scale of the bars; `None` if labels are shown.
     pub(crate) fn matters_title(&self) -> Option<String> {
         let (_, word) = OUTPUTS[self.pages.run.matters.output?];
         let mut word = word.to_owned();
@@ -119,7 +119,7 @@ impl App {
         Some(scale.map_or_else(|| format!("{word} by range"), |top| format!("{word}, 0 to {top}")))
     }
 
-    /// The bar beside a variable, where bars are shown: empty of a variable that the scene ignores.
+    /// Returns the bar of a variable if bars are shown; empty for a variable that the scene ignores.
     pub(crate) fn matters_bar(&self, variable: &Variable) -> Option<Bar> {
         let matters = &self.pages.run.matters;
         matters.output?;
@@ -133,7 +133,7 @@ impl App {
         Some(drawn().unwrap_or(Bar { text: String::new(), own: None }))
     }
 
-    /// The effect of the selected variable in words; `None` where nothing of it is known.
+    /// Describes the effect of the selected variable; `None` if unknown.
     pub(crate) fn matters_words(&self) -> Option<String> {
         let matters = &self.pages.run.matters;
         let (_, word) = OUTPUTS[matters.output?];

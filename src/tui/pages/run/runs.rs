@@ -1,4 +1,4 @@
-//! The run on the screen and the pinned ones: their table, their names, pinning and copying.
+//! Current and pinned runs: table, names, pinning and copying.
 
 use crate::tui::app::pins::{LETTERS, Pin};
 use crate::tui::chart::MARKERS;
@@ -13,7 +13,7 @@ use cmra_studies::report::run::{Compared, comparison};
 use cmra_studies::report::table::Table;
 
 impl App {
-    /// The current run and the pinned ones beside each other.
+    /// Returns the table that compares the current run with the pinned runs.
     pub(crate) fn compared_runs(&self) -> Table<'_, Compared<'_>> {
         let absent = |runs: bool| if runs { "running" } else { "no result" };
         let now = self.shown.as_ref().map(|shown| &*shown.run);
@@ -24,16 +24,16 @@ impl App {
         comparison(std::iter::once((self.name_of(&self.scene), now)).chain(pins))
     }
 
-    /// The pin selected in the table of runs; `None`: the current run is.
+    /// Returns the pin selected in the table of runs; `None` for the current run.
     fn selected_pin(&self) -> Option<&Pin> {
         self.pins.get(self.pages.run.selected.checked_sub(1)?)
     }
 
-    /// A name for a scene: the preset's where nothing differs, else what differs (`gamma=1 d=0.5`).
+    /// Returns a name for a scene: the preset's if nothing differs, else the differences (`gamma=1 d=0.5`).
     pub fn name_of(&self, scene: &Scene) -> String {
         let differing = Self::differing(scene, &self.base.scene);
         if differing.is_empty() {
-            // Of a path, the file.
+            // Use the file name of a path.
             return self.base.name.rsplit('/').next().unwrap_or_default().to_owned();
         }
         let shown = |index: usize| {
@@ -50,10 +50,10 @@ impl App {
 
 /// Columns of marker, letter and a blank before the name.
 const LEAD: u16 = 5;
-/// Columns from which on the table has all of its columns.
+/// Minimum width for all columns of the table.
 const ALL_COLUMNS: u16 = 72;
 
-/// The rows of the table that a screen of this body has room for, without its heading: all of few runs, some of many.
+/// Returns the rows of the table that fit a screen with this body, without its heading: all of a few runs, some of many.
 pub(crate) fn rows_shown(app: &App, body: Rect) -> u16 {
     let all = u16::try_from(app.pins.len() + 1).unwrap_or(u16::MAX);
     all.min((body.height / 6).max(1))
@@ -120,7 +120,7 @@ pub(crate) fn difference(app: &App) -> Option<String> {
     Some(format!("now - {}: {gained}; {changed}", pin.letter))
 }
 
-/// Pin the scene, or unpin it where it is pinned already.
+/// Pins the scene; unpins it if it is already pinned.
 pub(crate) fn pin_scene(app: &mut App) {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
         return unpinned(app, &pin);
@@ -130,7 +130,7 @@ pub(crate) fn pin_scene(app: &mut App) {
     pin(app, name, scene);
 }
 
-/// Pin the design under a cursor, or say why there is none.
+/// Pins the design under a cursor, or reports the reason why there is none.
 pub(crate) fn pin_design(app: &mut App, design: Result<LabelledScene, String>) {
     match design {
         Ok(design) => pin(app, design.label, Arc::new(design.scene)),
@@ -138,7 +138,7 @@ pub(crate) fn pin_design(app: &mut App, design: Result<LabelledScene, String>) {
     }
 }
 
-/// Freeze a scene under the next free letter; its result is the one on the screen, or is computed.
+/// Pins a scene under the next free letter, with the displayed result or a new run.
 pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *scene) {
         let text = format!("this scene is pinned already, as {}", pin.letter);
@@ -156,7 +156,7 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
     edit::pin(app, pin);
 }
 
-/// The pin selected in the table of runs, or why there is none.
+/// Returns the pin selected in the table of runs; reports the reason if there is none.
 fn selected(app: &mut App) -> Option<Pin> {
     let found = app.selected_pin().cloned();
     if found.is_none() {

@@ -19,30 +19,30 @@ pub const RUNS: Pane = Pane::new(Tab::Run, 2);
 pub struct RunPage {
     pub editor: Editor,
     pub charts: Charts,
-    /// Bars of what matters, in the place of words.
+    /// Sensitivity bars in place of labels.
     pub matters: Matters,
-    /// Traces drawn beside the runs.
+    /// Traces drawn with the runs.
     pub beside: Option<Arc<Traces>>,
     /// Differences of the current run from these traces.
     pub differences: Differences,
     /// Curves of these traces in the charts.
     pub drawn: Drawn,
-    /// The row selected in the table of runs: 0 is the current run.
+    /// Selected row in the table of runs; 0 is the current run.
     pub selected: usize,
-    /// The pane that has the keys fills the body.
+    /// Whether the focused pane fills the body.
     pub is_full: bool,
 }
 
-/// State of the sensitivity bars: the result shown, and the computed points.
+/// State of the sensitivity bars: displayed output, and computed points.
 #[derive(Clone, Debug, Default)]
 pub struct Matters {
-    /// The result shown, by its place in the list; `None`: words stand in the place of bars.
+    /// Index of the displayed output; `None` for labels instead of bars.
     pub output: Option<usize>,
-    /// The newest report, whole or as far as it is.
+    /// Latest report, possibly partial.
     pub kept: CachedResult<SearchAnswer>,
 }
 
-/// The greatest differences of a run from traces, by quantity: computed once for each pair.
+/// Maximum differences of a run from traces, by quantity; computed once for each pair.
 #[derive(Clone, Debug, Default)]
 pub struct Differences {
     pair: Option<(Arc<Run>, Arc<Traces>)>,
@@ -50,12 +50,12 @@ pub struct Differences {
 }
 
 impl Differences {
-    /// The greatest difference of a quantity; `None` without a trace of it.
+    /// Returns the maximum difference of a quantity; `None` without a trace of it.
     pub fn get(&self, channel: Channel) -> Option<f64> {
         self.greatest.iter().find(|one| one.0 == channel).map(|one| one.1)
     }
 
-    /// Computes the differences where run or traces are others than before.
+    /// Computes the differences if the run or the traces have changed.
     pub(crate) fn follow(&mut self, run: Option<&Arc<Run>>, traces: Option<&Arc<Traces>>) {
         let Some((run, traces)) = run.zip(traces) else {
             *self = Self::default();
@@ -73,24 +73,24 @@ impl Differences {
     }
 }
 
-/// Curves of the traces, thinned once for each chart and end time, not for each frame.
+/// Curves of the traces, thinned once for each chart and end time instead of each frame.
 #[derive(Clone, Debug, Default)]
 pub struct Drawn {
     of: Option<(Arc<Traces>, Ends)>,
     curves: Vec<Vec<Curve<'static>>>,
 }
 
-/// Quantity of each chart, and the bits of the end of its time in s.
+/// Quantity of each chart, and the bits of its end time in s.
 type Ends = [(Channel, u64); 3];
 
 impl Drawn {
-    /// The curves of a quantity in a chart.
+    /// Returns the curves of a quantity in a chart.
     pub fn get(&self, chart: usize, channel: Channel) -> &[Curve<'static>] {
         let is_it = self.of.as_ref().is_some_and(|of| of.1[chart].0 == channel);
         self.curves.get(chart).filter(|_| is_it).map_or(&[], Vec::as_slice)
     }
 
-    /// Thins the traces where they, the quantities or the ends are others than before.
+    /// Thins the traces if they, the quantities or the end times have changed.
     pub(crate) fn follow(&mut self, traces: Option<&Arc<Traces>>, charts: [(Channel, f64); 3]) {
         let Some(traces) = traces else {
             *self = Self::default();
@@ -106,27 +106,27 @@ impl Drawn {
     }
 }
 
-/// Range of time shown.
+/// Displayed time range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Window {
-    /// From first contact to a little after the last change of the depth.
+    /// From the first contact to shortly after the last change of the depth.
     Contact,
     Whole,
 }
 
 #[derive(Clone, Debug)]
 pub struct Charts {
-    /// Their quantities, from top to bottom.
+    /// Quantities of the charts, from top to bottom.
     pub quantities: [Channel; 3],
-    /// Range of time of each chart.
+    /// Time range of each chart.
     pub windows: [Window; 3],
-    /// The chart the keys act on.
+    /// Selected chart.
     pub selected: usize,
-    /// The crosshair, s since first contact.
+    /// Crosshair, s since first contact.
     pub cursor_s: Option<f64>,
-    /// The crosshair moves by itself.
+    /// Whether the animation moves the crosshair.
     pub is_playing: bool,
-    /// Number of the latest playing: the ticks of earlier ones are out of date.
+    /// Serial number of the latest animation; ticks of earlier ones are outdated.
     pub serial: u64,
 }
 

@@ -1,4 +1,4 @@
-//! Texts of the Run tab: the selected variable, the crosshair, the status row.
+//! Texts of the Run tab: selected variable, crosshair, status row.
 
 use crate::tui::app::notice::demand;
 use crate::tui::app::show_duration;
@@ -24,11 +24,11 @@ impl App {
         });
         let range = range.unwrap_or_else(|| variable.allowed());
         let long = format!("{text}; {}", range.trim_end());
-        // Cut, not wrapped: `?` has all of it.
+        // Truncated instead of wrapped; `?` shows the whole text.
         if long.chars().count() <= room { long } else { clip(&text, room) }
     }
 
-    /// Everything at the crosshair: the current run in full, the others in the selected chart's quantity.
+    /// Describes the values at the crosshair: all of the current run, and the selected chart's quantity of the others.
     pub fn readout(&self) -> String {
         let Some(cursor) = self.pages.run.charts.cursor_s else {
             return String::new();
@@ -50,7 +50,7 @@ impl App {
                 .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)));
             let values = values.collect::<Vec<_>>().join("  ");
             let name = view.letter.map_or_else(|| "now".to_owned(), String::from);
-            // Alone, the run needs no name.
+            // A single run needs no name.
             parts.push(if views.len() == 1 { values } else { format!("{name} {values}") });
         }
         parts.join(" | ")
@@ -67,7 +67,7 @@ impl App {
         };
         let run = &shown.run;
         if shown.elapsed.is_none() && self.jobs.current.is_some() {
-            // What will become of it is not known yet.
+            // The outcome is not yet known.
             parts.push(part(Severity::Note, "the curve so far".to_owned()));
             return parts;
         }
@@ -85,7 +85,7 @@ impl App {
             Decision::Stops | Decision::NotMeasured => Severity::Note,
             Decision::Open | Decision::Perforates => Severity::Warning,
         };
-        // Most scenes move: the Limit tab says that nothing measures them.
+        // Most scenes have a moving plate; the Limit tab states that there are no measurements for it.
         let is_measured = verdict.expected.is_some();
         parts.extend(
             is_measured.then(|| part(severity, format!("measured: {}", verdict.decision.words()))),
@@ -95,7 +95,7 @@ impl App {
         parts
     }
 
-    /// The estimated error of the run, and how long it took with the estimate.
+    /// Describes the estimated error of the run, and its run time including the estimate.
     fn cost_words(&self) -> Option<StatusPart> {
         let shown = self.shown.as_ref()?;
         let took = show_duration(shown.elapsed?);
@@ -133,7 +133,7 @@ impl App {
     }
 }
 
-/// The value at a time with unit, `-` outside the run.
+/// Formats the value at a time with its unit; `-` outside the run.
 fn value_at(run: &Run, quantity: Channel, t_s: f64) -> String {
     let value = quantity.at(run, t_s);
     if quantity == Channel::Penetration && value.is_some_and(|depth| depth < 0.0) {

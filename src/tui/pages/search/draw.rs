@@ -1,4 +1,4 @@
-//! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
+//! Drawing of the Search tab: the setup, a chart if there is one, and the results as text.
 
 use crate::tui::pages::page::draw_setup;
 use crate::tui::pages::page::prelude::*;
@@ -43,12 +43,12 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
     let (has_choices, more) = (app.pages.search.choices() > 0, lines.len() > height);
     let is_table = app.pages.search.page == Page::Front && has_choices;
     let hint = if more && !has_choices { "<down>/<up>: more" } else { "" };
-    // Where the setup has no room beside, nothing else tells of it.
+    // If the setup is not displayed beside it, the pane describes it.
     let alone = area.width == app.size.0;
     let hint = if alone { format!("<next-pane>: setup  {hint}") } else { hint.to_owned() };
     let hint = app.keymap.shown(&hint);
     let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);
-    // The heading of a table stays.
+    // The heading of a table stays visible.
     let (head, lines) = lines.split_at(usize::from(is_table).min(lines.len()));
     let height = height.saturating_sub(head.len());
     let selected = app.pages.search.selected();
@@ -61,7 +61,7 @@ fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_
         canvas.put(inner, (0, 0), &clip(text, usize::from(inner.width)), Role::Title);
     }
     let (_, inner) = split_top(inner, u16::try_from(head.len()).unwrap_or(0));
-    // The warnings of a solution stand below it.
+    // The warnings of a solution are below it.
     let choices = lines.iter().enumerate().filter(|(_, line)| line.1 != Role::Warning);
     let mut choices = choices.map(|(at, _)| at).take(app.pages.search.choices());
     canvas.rows(inner, (first, lines.len()), |line| {

@@ -1,4 +1,4 @@
-//! The charts of the Run tab: as many as have room above each other in one box, each with its number in its title.
+//! Drawing of the Run tab's charts: as many as fit in one box, each with its number in the title.
 
 use crate::tui::app::pins::RunView;
 use crate::tui::chart::{
@@ -16,18 +16,18 @@ use cmra_studies::report::figures::run::{event_letter, event_marks};
 use cmra_studies::report::law::Law;
 use cmra_studies::report::series::Channel;
 
-/// Rows of a chart that can be read.
+/// Minimum rows of a readable chart.
 const LEAST: u16 = 3;
-/// Events that are marked: of very many (a plate rattling on its stop) only the first ones.
+/// Maximum number of marked events; a plate that chatters on its stop has many more.
 const EVENT_LINES: usize = 24;
 
-/// A chart in the box: its place among the charts, its rows of the screen, and its lower line.
+/// Chart in the box: its index, its rows on the screen, and its lower border.
 struct Place {
     chart: usize,
     area: Rect,
     begins: bool,
     below: Below,
-    /// Why it has nothing to draw: then its title says so, and it has no rows.
+    /// Reason for a chart without data. The title shows it, and the chart has no rows.
     absent: Option<String>,
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         places.iter().zip(&data).map(|(place, data)| chart(app, place, data)).collect();
     for (chart, place) in charts.iter_mut().zip(&places) {
         chart.focused = focused && app.pages.run.charts.selected == place.chart;
-        // The table of runs has the markers, where it is seen.
+        // The table of runs shows the markers if it is visible.
         if places.len() > 1 || !app.is_full() {
             chart.legend = Legend::Hidden;
         }
@@ -66,7 +66,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     }
 }
 
-/// The title of a chart without rows: a line across the box, or the last one.
+/// Draws the title of a chart without rows: a line across the box, or the last line.
 fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canvas<'_>) {
     let title = format!("{}: {why}", app.pages.run.charts.quantities[place.chart].title());
     let frame = Frame::Stacked { begins: place.begins, below: Below::Nothing };
@@ -78,7 +78,7 @@ fn absent(app: &App, place: &Place, why: &str, focused: bool, canvas: &mut Canva
     }
 }
 
-/// The charts that have room in an area, from top to bottom: the selected one is among them.
+/// Returns the charts that fit an area, from top to bottom, including the selected one.
 fn places(app: &App, area: Rect) -> Vec<Place> {
     let all: Vec<usize> = (0..app.pages.run.charts.quantities.len()).collect();
     let selected = app.pages.run.charts.selected;
@@ -90,7 +90,7 @@ fn places(app: &App, area: Rect) -> Vec<Place> {
     fitting.or_else(|| stack(app, area, &[selected])).unwrap_or_default()
 }
 
-/// These charts above each other; `None` where one would have too few rows.
+/// Stacks these charts; `None` if one would have too few rows.
 fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
     let absent: Vec<Option<String>> = charts.iter().map(|chart| absence(app, *chart)).collect();
     let drawn = u16::try_from(absent.iter().filter(|it| it.is_none()).count()).ok()?;
@@ -106,7 +106,7 @@ fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
         }
         Some(_) => Below::Across,
     };
-    // A title each, and a line for each axis.
+    // A title for each, and a line for each axis.
     let has_line = |at: &usize| absent[*at].is_none() && below(*at) != Below::Nothing;
     let lines = charts.len() + (0..charts.len()).filter(has_line).count();
     let rows = area.height.checked_sub(u16::try_from(lines).ok()?)?;
@@ -126,7 +126,7 @@ fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
     Some(absent.clone().into_iter().enumerate().map(place).collect())
 }
 
-/// Why a chart has nothing to draw, in all runs.
+/// Explains why a chart has no data in any run.
 fn absence(app: &App, chart: usize) -> Option<String> {
     let quantity = app.pages.run.charts.quantities[chart];
     let of = |run: &Run| {
@@ -144,7 +144,7 @@ fn absence(app: &App, chart: usize) -> Option<String> {
     reasons.and_then(|reasons| reasons.last().cloned())
 }
 
-/// Where there is no curve: say why.
+/// Draws the reason why there are no curves.
 fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if area.height < 3 || !app.visible_runs().is_empty() {
         return;
@@ -194,10 +194,10 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     }
 }
 
-/// Points of the run before an edit that an axis has room for.
+/// Number of points of the run before an edit that an axis must include.
 const AXIS_POINTS: u16 = 64;
 
-/// Points at equal times of a quantity of the run before the latest edit, one every second column; `None` without such a run.
+/// Returns points at equal time intervals of the run before the latest edit, one every second column; `None` without such a run.
 fn before_points(app: &App, place: &Place) -> Option<Vec<(f64, f64)>> {
     let quantity = app.pages.run.charts.quantities[place.chart];
     let run = app.run_before().filter(|_| quantity.is_over_time())?;
@@ -210,12 +210,12 @@ fn before_values(quantity: Channel, run: &Run, end_s: f64, count: u16) -> Vec<(f
     times.filter_map(point).filter(|point| point.1.is_finite()).collect()
 }
 
-/// The time of the crosshair, s; an enlarged chart always has one, for it is that of the drawing.
+/// Returns the time of the crosshair, s; always present for an enlarged chart, because the drawing uses it.
 fn crosshair_s(app: &App) -> Option<f64> {
     if app.is_full() { Some(app.time_shown_s()) } else { app.pages.run.charts.cursor_s }
 }
 
-/// The plate's thickness, and where the stop stands.
+/// Returns the levels of the plate's thickness and the stop position.
 fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
     let Some(shown) = &app.shown else { return Vec::new() };
     let scene = &shown.run.scene;
@@ -229,7 +229,7 @@ fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
     }
 }
 
-/// The pins that coincide with the current run in a chart: `A = now`.
+/// Lists the pins that coincide with the current run in a chart: `A = now`.
 fn alike(app: &App, chart: usize, data: &[Data<'_>]) -> String {
     let quantity = app.pages.run.charts.quantities[chart];
     let end_s = app.end_s(chart);
@@ -241,7 +241,7 @@ fn alike(app: &App, chart: usize, data: &[Data<'_>]) -> String {
     alike.collect::<Vec<_>>().join(", ")
 }
 
-/// At the right of a title, beside those: what the letters of the events mean.
+/// Returns the note of a title: coinciding pins, and the meanings of the event letters.
 fn note(app: &App, chart: usize, alike: String, room: usize) -> String {
     let gap = if alike.is_empty() { "" } else { "  " };
     [format!("{alike}{gap}{}", event_words(app, chart)), alike]
@@ -250,10 +250,10 @@ fn note(app: &App, chart: usize, alike: String, room: usize) -> String {
         .unwrap_or_default()
 }
 
-/// Parts of a range that nobody sees apart.
+/// Fraction of a range below which differences are invisible.
 const APART: f64 = 0.01;
 
-/// Whether a quantity of two runs is one curve on the screen up to a time.
+/// Returns `true` if the curves of two runs coincide on the screen up to a time.
 fn coincide(quantity: Channel, one: &Run, other: &Run, end_s: f64) -> bool {
     let times = (0..=100).map(|step| end_s * f64::from(step) / 100.0);
     let at = |t_s| (quantity.at(one, t_s), quantity.at(other, t_s));
@@ -294,11 +294,11 @@ fn over_displacement<'a>(
     }
 }
 
-/// A vertical axis that shows all of some curves.
+/// Returns a vertical axis that contains all curves.
 fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
     let (quantity, end_s) = (app.pages.run.charts.quantities[chart], app.end_s(chart));
     let points = data.iter().flat_map(|curve| &curve.points).filter(|point| point.0 <= end_s);
-    // What a curve passes at the end of the time counts, too: there may be no point just before it.
+    // Include the values at the end time, because there may be no point just before it.
     let at_end = data.iter().filter_map(|curve| quantity.at(curve.view.run, end_s));
     let before = app.run_before().map(|run| before_values(quantity, run, end_s, AXIS_POINTS));
     let before = before.into_iter().flatten().map(|point| point.1);
@@ -307,12 +307,12 @@ fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
     let values = points.map(|point| point.1).chain(at_end).chain(before).chain(measured);
     let none = || Axis::new("", ViewRange::default()).unit(Unit::new(quantity.unit()));
     let axis = Axis::over("", quantity.unit(), Scale::Linear, values).unwrap_or_else(none);
-    // Rates at or above zero begin at zero: the eye takes the axis for it.
+    // An axis of positive rates starts at zero, as a reader expects.
     let is_rate = axis.view.lo() >= 0.0 && axis.view.lo() < 0.5 * axis.view.hi();
     if is_rate { axis.with_zero() } else { axis }
 }
 
-/// `now`, or letter and name of a pin, kept short.
+/// Returns `now`, or letter and shortened name of a pin.
 fn label(view: &RunView<'_>) -> String {
     view.letter
         .map_or_else(|| "now".to_owned(), |letter| format!("{letter} {}", clip(view.name, 16)))

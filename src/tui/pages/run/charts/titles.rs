@@ -1,4 +1,4 @@
-//! The titles of the charts: each with the number of the current run, and what the latest edit changed of it.
+//! Titles of the charts, each with the number of the current run and its change by the latest edit.
 
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::is_free;
@@ -12,7 +12,7 @@ use cmra_studies::report::figures::run::contact_window_s;
 use cmra_studies::report::run::page::{self, of_first};
 use cmra_studies::report::series::Channel;
 
-/// The name of a chart with the number of the current run, in a given number of columns.
+/// Returns the name of a chart with the number of the current run, for this width.
 pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
     let quantity = app.pages.run.charts.quantities[chart];
     let name = quantity.title().trim_end_matches(" over displacement");
@@ -53,13 +53,13 @@ pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
     fitting(with.chain(titles.iter().cloned()).collect::<Vec<_>>(), room)
 }
 
-/// The greatest magnitude of a quantity over a run.
+/// Returns the maximum magnitude of a quantity over a run.
 fn greatest(quantity: Channel, run: &Run) -> f64 {
     let values = run.series.iter().map(|sample| quantity.value(&run.scene, sample).abs());
     values.filter(|value| value.is_finite()).fold(0.0, f64::max)
 }
 
-/// The number of a title, SI; `None` where it has none.
+/// Returns the number of a title, SI; `None` if it has none.
 fn headline(quantity: Channel, run: &Run) -> Option<f64> {
     match quantity {
         Channel::Penetration if run.outcome == Outcome::Perforated => None,
@@ -94,7 +94,7 @@ fn changed(app: &App, quantity: Channel, run: &Run) -> Option<String> {
     }
 }
 
-/// A difference with the sign, the prefix and the decimals of a value that stands before it; `None` if it rounds to zero.
+/// Formats a difference with its sign, in the prefix and decimals of the preceding value; `None` if it rounds to zero.
 fn difference(value: f64, difference: f64, unit: &'static str) -> Option<String> {
     let text = engineering(value, unit);
     let number = text.split(' ').next().unwrap_or_default();
@@ -105,7 +105,8 @@ fn difference(value: f64, difference: f64, unit: &'static str) -> Option<String>
     (text.trim_start_matches(['+', '-']).parse() != Ok(0.0)).then_some(text)
 }
 
-/// The depth in its title, from the longest to the shortest: a fused one that the interface could not hold never stands alone.
+/// Returns versions of the depth's title, from the longest to the shortest. A depth with an overloaded fused interface is never shown
+/// alone.
 fn depth_titles(name: &str, run: &Run) -> Vec<String> {
     let Some(depth) = depth(run) else {
         return vec![format!("{name}: {}", page::outcome(run)), name.to_owned()];
@@ -122,7 +123,7 @@ fn depth_titles(name: &str, run: &Run) -> Vec<String> {
     ]
 }
 
-/// The depth of a shot, and what becomes of it after the first contact; `None` where it is not known.
+/// Describes the depth of a shot and the motion after the first contact; `None` if unknown.
 fn depth(run: &Run) -> Option<String> {
     let depth_m = run.final_penetration_m?;
     if run.outcome == Outcome::Perforated {
@@ -150,7 +151,7 @@ fn through(run: &Run) -> String {
     }
 }
 
-/// A velocity with one decimal, of a slow one with the figures that say something.
+/// Formats a velocity with one decimal; a low one with significant digits.
 fn speed(velocity_m_s: f64) -> String {
     if velocity_m_s < 1.0 {
         engineering(velocity_m_s, "m/s")

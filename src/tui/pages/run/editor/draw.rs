@@ -1,4 +1,4 @@
-//! The list of variables, drawn.
+//! Drawing of the list of variables.
 
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{
@@ -18,12 +18,12 @@ const FIELD_WIDTH: u16 = 9;
 /// Columns within a row: cursor, mark of a change, symbol, label, value with its unit at the right end.
 const SYMBOL: u16 = 2;
 const LABEL: u16 = 9;
-/// Rows of More that are worth unfolding for.
+/// Minimum number of visible rows of More for unfolding.
 const UNFOLDED: u16 = 4;
 
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let editor = &app.pages.run.editor;
-    // The main ones with the heading between them need so many rows, and the frame two.
+    // The main variables with their heading take 15 rows, and the frame two.
     let main = 15;
     let is_unfolded = area.height >= main + 2 + UNFOLDED || !is_main(editor.variable());
     let rows = editor.rows(&app.scene, is_unfolded);
@@ -84,7 +84,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     }
 }
 
-/// The head of More: how many there are, and which are not as usual.
+/// Returns the heading of More: the number of variables, and those that differ from their defaults.
 fn more_words(app: &App, room: usize) -> String {
     let usual = Scene::default();
     let differs = |index: &usize| {
@@ -125,7 +125,7 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
     let bar_from = LABEL.max(end + 1);
     let width = u16::try_from(CELLS).unwrap_or(u16::MAX);
     let end = if bar.is_some() { bar_from + width } else { end };
-    // A blank at the right end, so that the frame is not taken for a part of the unit.
+    // Leave a blank at the right end, so that the frame is not taken for a part of the unit.
     let room = line.width.saturating_sub(end + 2 + if warned { 2 } else { 0 });
     let text = value_text(app, index, usize::from(room));
     let start = line.width.saturating_sub(columns(&text) + 1).max(end + 1);
@@ -154,7 +154,7 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
     }
 }
 
-/// The value with its unit, as many of six figures as fit; beside the mass ratio the mass of the plate.
+/// Formats the value with its unit, with as many of six digits as fit; adds the plate mass to the mass ratio.
 fn value_text(app: &App, index: usize, room: usize) -> String {
     let (variable, unit) = (&VARIABLES[index], app.pages.run.editor.unit(index));
     let digits = (2..=6).rev();
@@ -167,7 +167,7 @@ fn value_text(app: &App, index: usize, room: usize) -> String {
     fitting(mass.into_iter().chain(plain), room)
 }
 
-/// `[ 1.25_  ] mm`, wider where the text needs it.
+/// Draws the field as `[ 1.25_  ] mm`, wider if the text needs it.
 fn open_field(unit: &str, field: &TextField, line: Rect, canvas: &mut Canvas<'_>) {
     let behind = columns(unit) + 2;
     let most = line.width.saturating_sub(behind + LABEL + 1);

@@ -1,4 +1,4 @@
-//! A picture of an impact in cells: braille dots, half blocks and shades, or ASCII characters.
+//! Rasterised picture of an impact: braille dots, half blocks and shades, or ASCII characters.
 
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -11,10 +11,10 @@ use cmra_studies::report::figures::impact::{COILS, Dots, Part, Picture, Place, S
 /// Bits of a braille character, in rows of two dots.
 const BRAILLE: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
 
-/// The dots of an area of the screen.
+/// Returns the dots of an area of the screen.
 pub(super) fn dots_of(area: Rect, glyphs: GlyphSet) -> Dots {
     let (across, down) = glyphs.dots();
-    // A cell is twice as high as it is wide.
+    // A cell is twice as high as wide.
     let aspect = 2.0 * f64::from(across) / f64::from(down);
     let count = |cells: u16, dots: u16| f64::from(cells) * f64::from(dots);
     Dots { across: count(area.width, across), down: count(area.height, down), aspect }
@@ -49,18 +49,18 @@ fn style(part: Part, theme: Theme) -> Style {
     })
 }
 
-/// The bodies at the dots of an area.
+/// Bodies at the dots of an area.
 struct Grid {
     glyphs: GlyphSet,
     cells: (u16, u16),
-    /// Dots across and down.
+    /// Number of dots, horizontally and vertically.
     size: (usize, usize),
     left_m: f64,
     top_m: f64,
     dot_m: f64,
     row_m: f64,
     parts: Vec<Option<Part>>,
-    /// Cells with characters of their own: lines where a cell has no dots of its own.
+    /// Cells with their own character, such as lines, used if a cell has no dots.
     drawn: Vec<Option<(char, Part)>>,
 }
 
@@ -85,7 +85,7 @@ impl Grid {
         }
     }
 
-    /// Columns and rows of dots from the upper left corner; the middle of a dot is at a half.
+    /// Converts a position to dots from the upper left corner; the centre of a dot is at one half.
     fn place(&self, (x_m, y_m): Place) -> Place {
         ((x_m - self.left_m) / self.dot_m, (self.top_m - y_m) / self.row_m)
     }
@@ -109,7 +109,7 @@ impl Grid {
         }
     }
 
-    /// Fills a polygon, by the even-odd rule at the middles of dots.
+    /// Fills a polygon, by the even-odd rule at the centres of dots.
     fn fill(&mut self, part: Part, corners: &[Place]) {
         let mut crossings = Vec::new();
         for row in 0..self.size.1 {
@@ -141,7 +141,7 @@ impl Grid {
         }
     }
 
-    /// A body that is drawn later covers the lines below it.
+    /// Removes lines that are covered by a body drawn later.
     fn uncover(&mut self, part: Part) {
         for row in 0..self.cells.1 {
             for column in 0..self.cells.0 {
@@ -153,7 +153,7 @@ impl Grid {
         }
     }
 
-    /// A vertical line over the whole height: dotted for the neutral position, hatched at its right for the mount.
+    /// Draws a vertical line over the whole height: dotted for the neutral position, hatched at its right for the mount.
     fn wall(&mut self, part: Part, x: f64) {
         if self.glyphs == GlyphSet::Braille {
             let Some(column) = whole(x, self.size.0) else { return };
@@ -230,7 +230,7 @@ impl Grid {
         }
     }
 
-    /// A straight line of dots.
+    /// Draws a straight line of dots.
     fn line(&mut self, from: Place, to: Place, part: Part) {
         let length = (to.0 - from.0).abs().max((to.1 - from.1).abs()).ceil().clamp(1.0, 1e4);
         let steps = dot(length, 10_000).max(1);
@@ -260,7 +260,7 @@ impl Grid {
         }
     }
 
-    /// The column of cells of a place across in dots, up to one behind the last.
+    /// Returns the column of cells of a horizontal position in dots, up to one after the last.
     fn column(&self, x: f64) -> Option<u16> {
         let across = f64::from(self.glyphs.dots().0);
         let column = (x / across).floor();
@@ -273,7 +273,7 @@ impl Grid {
         u16::try_from(dot((y / down).floor(), last)).unwrap_or(0)
     }
 
-    /// The dots of a cell: their places in it, and their bodies.
+    /// Iterates over the dots of a cell: their indices in it, and their bodies.
     fn dots(&self, column: u16, row: u16) -> impl Iterator<Item = (usize, Option<Part>)> + '_ {
         let (across, down) = self.glyphs.dots();
         let (across, down) = (usize::from(across), usize::from(down));
@@ -284,7 +284,7 @@ impl Grid {
         })
     }
 
-    /// The character of a cell without one of its own.
+    /// Returns the character of a cell without its own character.
     fn cell(&self, column: u16, row: u16) -> Option<(char, Part)> {
         let owner =
             self.dots(column, row).filter_map(|(_, part)| part).max_by_key(|part| *part as u8)?;
@@ -326,7 +326,7 @@ impl Grid {
         }
     }
 
-    /// Whether a dot is drawn: of plates their edges and a hatch, of other bodies all.
+    /// Returns `true` if a dot is drawn: edges and a hatch for plates, all dots for other bodies.
     fn is_seen(&self, column: u16, row: u16, at: usize, part: Option<Part>) -> bool {
         let Some(part) = part else { return false };
         if !matches!(part, Part::Plate | Part::Behind) {
@@ -334,7 +334,7 @@ impl Grid {
         }
         let (x, y) = (usize::from(column) * 2 + at % 2, usize::from(row) * 4 + at / 2);
         let other = |dx: usize, dy: usize| {
-            // Beyond the picture the plate goes on.
+            // The plate continues beyond the picture.
             let (x, y) = ((x + dx).checked_sub(1), (y + dy).checked_sub(1));
             let (Some(x), Some(y)) = (x, y) else { return false };
             x < self.size.0 && y < self.size.1 && self.parts[y * self.size.0 + x] != Some(part)
@@ -344,12 +344,12 @@ impl Grid {
     }
 }
 
-/// The first dot whose middle is at or behind a place, up to one behind the last.
+/// Returns the first dot whose centre is at or after a position, up to one after the last.
 fn dot(place: f64, count: usize) -> usize {
     if place <= 0.0 { 0 } else { whole_below(place.ceil(), count).unwrap_or(count) }
 }
 
-/// The dot that a place is in; `None` outside the picture.
+/// Returns the dot that contains a position; `None` outside the picture.
 fn whole(place: f64, count: usize) -> Option<usize> {
     whole_below(place, count)
 }
