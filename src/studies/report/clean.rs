@@ -11,7 +11,7 @@ pub fn line(text: &str) -> Cow<'_, str> {
     replaced(text, is_command)
 }
 
-/// Sanitises a text of several lines with Unix or Windows line ends. Use [`line`] first for parts in which a line end would mislead.
+/// Sanitises a text of several lines with Unix or Windows line ends. Use [`line()`] first for parts in which a line end would mislead.
 pub fn page(text: &str) -> Cow<'_, str> {
     if text.contains('\r') {
         let lines: Vec<Cow<'_, str>> =

@@ -67,9 +67,9 @@ fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
     assert!(half.entry(Candidate::Scene).unwrap().sized.is_err());
 }
 
-/// With the plastic interface, runs of some thicker plates end undecided. Check the thickness by another command: `cmra seek --set v_i=84
-/// --set gamma=4 --set interface=plastic --over h=1.4mm..1.6mm:3 --goal limit_velocity_m_s=84`. In the second case every plate thicker than
-/// 0.432 mm stops the shot.
+/// With the plastic interface, runs of some thicker plates end undecided. Check the thickness by another command:
+/// `cmra seek --set v_i=84 --set gamma=4 --set interface=plastic --over h=1.4mm..1.6mm:3 --goal limit_velocity_m_s=84`. In the second
+/// case every plate from a thickness of 0.432 mm on stops the shot.
 #[test]
 fn undecided_runs_of_thicker_plates_do_not_hide_the_thinnest_that_stops_the_shot() {
     let sized =

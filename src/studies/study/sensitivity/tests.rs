@@ -52,8 +52,8 @@ fn results_are_those_of_single_runs() {
     }
 }
 
-/// On a rigid mount `m u' = -(S + c u²)`, with `S = S_y A` and `c = C_d rho A/2` once the nose is buried. With `u = v_i`, `dp = m/(2 c) d
-/// ln(S + c v_i²)`, so `d p/d v_i = m v_i/(S + c v_i²)`.
+/// On a rigid mount `m u' = -(S + c u²)`, with `S = S_y A` and `c = C_d rho A/2` once the nose is buried. With `u = v_i`,
+/// `dp = m/(2 c) d ln(S + c v_i²)`, so `d p/d v_i = m v_i/(S + c v_i²)`.
 #[test]
 fn valid_the_slope_over_the_impact_velocity() {
     let base = "mount=rigid R=1e-4 dishing=off h=0.5 m_p=0.001 v_i=50";
