@@ -1,6 +1,5 @@
-//! Results of a run: time series, events, outcome, energy balance, cost and warnings; plain data in SI units.
-//!
-//! A quantity that does not exist for a scene is `None`, never zero. A run that ends early has partial results, and a reason [`Run::end`].
+//! Results of a run: time series, events, outcome, energy balance, cost and warnings; plain data in SI units. A quantity that does not
+//! exist for a scene is `None`, never zero. A run that ends early has partial results, and a reason [`Run::end`].
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -23,8 +22,7 @@ pub use warning::{NotModelled, RunWarning, Warning};
 pub struct Settings {
     /// Whether to keep the time series.
     pub series: bool,
-    /// Interval of the rows, s, positive; by default rows are at the steps of the solver. The number of rows is limited to
-    /// [`EVERY_ROWS_MAX`].
+    /// Interval of the rows, s, > 0; by default rows are at the steps of the solver. At most [`EVERY_ROWS_MAX`] rows.
     pub every_s: Option<f64>,
     /// Whether to compute the error estimate (from a closed form or a second computation).
     pub estimate: bool,
@@ -38,11 +36,10 @@ impl Settings {
     /// Results and time series.
     pub const SERIES: Self = Self { series: true, ..Self::BARE };
 
-    /// Work after which a run to a tolerance ends undecided.
+    /// Returns the evaluation budget for a tolerance: 50 % more for each digit, for smaller steps and more resolved events.
     pub(in crate::model) fn most_work(&self, tolerance: f64) -> usize {
         self.work_max.unwrap_or_else(|| {
             let (mut most, mut reached) = (WORK_MAX, RunSettings::default().tolerance);
-            // Half as much again for each digit: shorter steps, and more of what happens is resolved.
             while reached > tolerance && most < usize::MAX / 2 {
                 most += most / 2;
                 reached *= 0.1;
@@ -54,8 +51,7 @@ impl Settings {
 
 /// Work after which a run ends undecided at the default tolerance, as [`Cost::work`] counts it: about 0.1 s, at 0.05 us each.
 pub const WORK_MAX: usize = 2_200_000;
-/// Work of a step, a turn or a change of the contact beside its evaluations: states on the step, events, forces and work on it take about
-/// as long as so many evaluations.
+/// Work of a step, a reversal or a contact event besides its evaluations of the equations of motion, as a number of evaluations.
 const STEP_WORK: usize = 60;
 
 /// Maximum number of rows at equal intervals; they take about half a gigabyte.
@@ -421,9 +417,8 @@ impl Cost {
 }
 
 impl Run {
-    /// Returns the final depth relative to the depth on a rigid mount, percent; `None` if one does not exist, or for a perforation.
+    /// Returns the final depth over that on a rigid mount, percent, exactly 100 if equal; `None` without both, or for a perforation.
     pub fn percent_of_baseline(&self) -> Option<f64> {
-        // Quotient first: equal depths give exactly 100 %.
         let percent = 100.0 * (self.final_penetration_m? / self.baseline_penetration_m?);
         (self.outcome != Outcome::Perforated).then_some(percent)
     }
