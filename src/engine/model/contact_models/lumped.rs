@@ -62,9 +62,11 @@ impl Lumped {
         0.5 * force_n * force_n / self.unload_n_m
     }
 
-    /// Returns the energy that deepens a dent by a small fraction of its maximum travel without damping, J.
-    pub(in crate::model) fn deepens_j(&self, deepest_m: f64, part: f64) -> f64 {
-        part * self.load_n_m * deepest_m * deepest_m
+    /// Returns the energy that deepens a dent by a small fraction of the travel that made it, J, if the damper takes nothing: that of the
+    /// fraction alone on the way in, later that up to this travel as well.
+    pub(in crate::model) fn deepens_j(&self, goes_in: bool, deepest_m: f64, fraction: f64) -> f64 {
+        let again = if goes_in { 0.0 } else { 0.5 * self.load_n_m / self.unload_n_m };
+        (again + fraction) * self.load_n_m * deepest_m * deepest_m
     }
 
     /// Returns the dent on a rigid mount, m, from the maximum travel of m q'' + b q' + k q = 0 with q(0) = 0 and the impact velocity.

@@ -447,9 +447,20 @@ impl Equations<'_> {
     /// Returns the rounding errors of the accelerations, which are large if forces cancel.
     pub(super) fn rounding(&self, state: &State) -> (f64, f64) {
         let mechanism_n = || -self.mechanism_rounding_n(state.x_m, state.w_m_s);
-        let (slip, plate) =
-            self.moved_by(FORCE_ROUNDING * self.contact_n(state).abs(), mechanism_n);
+        let (slip, plate) = self.moved_by(self.contact_rounding_n(state), mechanism_n);
         (slip.abs(), plate)
+    }
+
+    /// Returns the rounding error of the contact force, N.
+    fn contact_rounding_n(&self, state: &State) -> f64 {
+        match self.setup.law {
+            // The spring is compressed by the difference of travel and dent.
+            ContactLaw::Lumped(_) if self.is_touching() => {
+                let (by_travel, by_slip) = self.contact_slopes(state.q_m, state.u_m_s);
+                ROUNDING * (by_travel * state.q_m.abs() + by_slip * state.u_m_s.abs())
+            }
+            _ => FORCE_ROUNDING * self.contact_n(state).abs(),
+        }
     }
 
     /// Returns the force that presses a resting plate on its stop, N: the mechanism's force at rest plus the contact force.

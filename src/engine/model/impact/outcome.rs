@@ -12,13 +12,11 @@ use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
-/// Energy that counts as zero, relative to the energy at first contact: velocities of 1e-12 times the impact velocity.
-const NO_ENERGY: f64 = 1e-24;
-/// Energy below which bodies in a contact without adhesion count as at rest once the dent unloads, relative to the energy at first contact,
-/// which made the dent.
-const AT_REST: f64 = 1e-9;
 /// Relative change of depth or displacement that is negligible: a thousandth of the default tolerance.
 pub(super) const NEGLIGIBLE: f64 = 1e-12;
+/// Velocity below which bodies that part count as in contact, relative to the impact velocity: ten times that by which rounding errors of
+/// the contact force part them.
+const PARTING: f64 = 1e-10;
 
 /// Relative excess of the peak interface load over the limit load below which the remaining slip is computed from the energy. The slip
 /// velocity is about the excess to the power 1.5; the neglected drag is about its cube.
@@ -111,10 +109,16 @@ impl Equations<'_> {
         self.plate_rests() || self.creeps(state) || is_balanced()
     }
 
-    /// Returns `true` if the remaining energy is negligible or the fused bodies are in equilibrium.
+    /// Returns the energy with which the bodies cannot part by a velocity that counts, J.
+    fn parting_j(&self) -> f64 {
+        let slow_m_s = PARTING * self.setup.velocity_m_s;
+        0.5 * self.setup.projectile_kg * slow_m_s * slow_m_s
+    }
+
+    /// Returns `true` if the remaining energy cannot part the bodies or the fused bodies are in equilibrium.
     pub(super) fn is_at_rest(&self, state: &State) -> bool {
         // The energy is negative if the spring accelerates the plate without end.
-        let has_none = self.energy_j(state) <= NO_ENERGY * self.setup.initial_j();
+        let has_none = self.energy_j(state) <= self.parting_j();
         has_none && self.mode.elastic.drives_away(self.displacement_m(state.x_m)).is_none()
             || self.is_in_equilibrium(state) && self.mode.contact == Contact::Fused
     }
@@ -127,19 +131,20 @@ impl Equations<'_> {
                 Some(Outcome::Arrested)
             }
             Contact::FreeFlight if self.is_separated(state) => Some(Outcome::Separated),
-            _ if self.rests_in_contact(state) => Some(Outcome::Arrested),
+            _ if self.rests_in_contact_j(state).is_some() => Some(Outcome::Arrested),
             _ => None,
         }
     }
 
-    /// Returns `true` if the bodies are at rest in a contact without adhesion: the dent unloads, or the remaining energy cannot deepen it.
-    fn rests_in_contact(&self, state: &State) -> bool {
-        let ContactLaw::Lumped(lumped) = self.setup.law else { return false };
+    /// Returns the remaining energy in a contact without adhesion, J, if it can neither deepen the dent nor part the bodies by a velocity that
+    /// counts: then they move as one.
+    fn rests_in_contact_j(&self, state: &State) -> Option<f64> {
+        let ContactLaw::Lumped(lumped) = self.setup.law else { return None };
         let (goes_in, deepest_m) = (self.is_loading(), self.mode.deepest_m);
         let gives_j = lumped.gives_back_j(goes_in, deepest_m, state.q_m);
         let left_j = self.energy_left_j(state) + if self.is_touching() { gives_j } else { 0.0 };
-        let deepens_j = || lumped.deepens_j(state.q_m, NEGLIGIBLE);
-        left_j < AT_REST * self.setup.initial_j() && (!goes_in || left_j < deepens_j())
+        let deepens_j = lumped.deepens_j(goes_in, larger(deepest_m, state.q_m), NEGLIGIBLE);
+        (left_j < self.parting_j() && left_j < deepens_j).then_some(left_j)
     }
 
     /// Returns the work needed to pull the projectile out of its hole, J; infinite for a fused interface.
@@ -205,14 +210,15 @@ impl Equations<'_> {
 
     /// Returns `true` if a plastic interface can no longer slip by a relevant amount.
     fn sticks_permanently(&self, state: &State) -> bool {
-        if self.is_at_rest(state) {
+        if self.is_in_equilibrium(state) {
             return true;
         }
         let Equations { setup, mode } = self;
         let energy_j = self.energy_j(state);
         let strength_n = self.strength_n(state);
-        let friction_j = self.pull_out_j(state);
-        // The remaining energy can neither deepen the hole, after friction on the way to its bottom, nor pull the projectile out.
+        let friction_j = larger(self.pull_out_j(state), self.parting_j());
+        // The remaining energy can neither deepen the hole, after friction on the way to its bottom, nor pull the projectile out by a velocity
+        // that counts.
         let [here_m3, bottom_m3] = self.stuck_m3(state);
         let above_m3 = bottom_m3 - here_m3;
         let to_bottom_j = setup.grip * setup.strength_pa * larger(above_m3, 0.0);
@@ -359,10 +365,14 @@ impl Equations<'_> {
     /// simulation has to continue. `so_far_m` is the maximum up to now.
     pub(super) fn farthest_m(&self, state: &State, so_far_m: f64) -> Option<f64> {
         let Equations { setup, mode } = self;
-        if mode.hold == PlateConstraint::Mount || self.rests_in_contact(state) {
+        if mode.hold == PlateConstraint::Mount {
             return Some(so_far_m);
         }
-        let (energy_j, x_m) = (self.energy_j(state), self.displacement_m(state.x_m));
+        // Bodies that rest in a contact share the remaining energy.
+        let rests_j = self.rests_in_contact_j(state);
+        let moving_kg = if rests_j.is_some() { setup.joined_kg } else { self.moving_kg() };
+        let energy_j = rests_j.unwrap_or_else(|| self.energy_j(state));
+        let x_m = self.displacement_m(state.x_m);
         // The plate reaches at least the equilibrium ahead, or its stop; its energy there has rounding errors.
         let end_m = smaller(mode.elastic.rest_ahead(x_m), setup.rigid_stop_m());
         let far_m = larger(end_m, so_far_m);
@@ -387,17 +397,17 @@ impl Equations<'_> {
         }
         let coasts = !mode.is_pressed && state.w_m_s > 0.0 && self.joined_weight_n() == 0.0;
         if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
-            let end_m = x_m + coasting_m(setup.damper, self.moving_kg(), state.w_m_s);
+            let end_m = x_m + coasting_m(setup.damper, moving_kg, state.w_m_s);
             if end_m < setup.stop_at_m || !setup.has_stop() {
                 return Some(larger(end_m, so_far_m));
             }
             // The plate reaches its stop; the remaining energy bounds the compression of an elastic stop.
             let way_m = setup.stop_at_m - x_m;
-            let arrives_m_s = coasting_m_s(setup.damper, self.moving_kg(), (state.w_m_s, way_m));
+            let arrives_m_s = coasting_m_s(setup.damper, moving_kg, (state.w_m_s, way_m));
             let presses_m = if self.stops_rigidly() {
                 0.0
             } else {
-                arrives_m_s * (self.moving_kg() / setup.stop_n_m).sqrt()
+                arrives_m_s * (moving_kg / setup.stop_n_m).sqrt()
             };
             let end_m = larger(setup.stop_at_m, so_far_m);
             return (presses_m <= NEGLIGIBLE * larger(stroke_m, way_m)).then_some(end_m);

@@ -7,10 +7,12 @@ use std::sync::Arc;
 use super::equations::{Equations, ImpactParameters, State};
 use super::method::{IntegrationMethod, run_by};
 use super::modes::{Contact, HybridMode, first};
-use crate::model::run::{EndReason, Run, Sample, Settings};
+use crate::model::run::{EndReason, Outcome, Run, Sample, Settings};
 use crate::model::scene::Scene;
 use crate::model::simulate::simulate;
 use crate::model::variables::scene_with;
+use crate::numerics::larger;
+use crate::numerics::random::Random;
 
 fn run_to_end(scene: &Arc<Scene>, stepping: IntegrationMethod, settings: Settings) -> Run {
     run_by(scene, settings, stepping, &mut |_| ControlFlow::Continue(()))
@@ -288,7 +290,7 @@ fn valid_a_plug_is_sheared_as_by_equal_steps_of_both_bodies() {
         let near = |found: f64, expected: f64| {
             assert!(is_near(found, expected, 1e-8), "{pairs}: {found} {expected}");
         };
-        assert_eq!(run.outcome == crate::model::run::Outcome::Perforated, through, "{pairs}");
+        assert_eq!(run.outcome == Outcome::Perforated, through, "{pairs}");
         if through {
             near(run.exit_time_s.unwrap(), t);
             near(run.residual_velocity_m_s.unwrap(), left + plate);
@@ -331,4 +333,106 @@ fn a_run_takes_no_more_work_than_it_may() {
     let alone = by(needed);
     assert_eq!(alone.final_penetration_m, whole.final_penetration_m);
     assert!(whole.error_estimate.unwrap() < 1e-9 && alone.error_estimate == Some(f64::INFINITY));
+}
+
+/// Greatest travel and displacement of a lumped contact, m, by the classical Runge-Kutta method in equal steps: masses, spring and damper of
+/// the plate, stiffnesses and damping of the interface. Without a spring the damper alone takes what is left of the velocity.
+fn lumped_by_equal_steps(
+    [projectile_kg, plate_kg]: [f64; 2],
+    [stiffness, damping, exponent]: [f64; 3],
+    [load, unload, contact_damping]: [f64; 3],
+) -> [f64; 2] {
+    let step_s = 5e-8;
+    let (mut at, mut deepest) = ([0.0, 100.0, 0.0, 0.0], 0.0);
+    let mut farthest_m = 0.0;
+    for _ in 0..2_000_000 {
+        let slope = |[q, u, x, w]: [f64; 4]| {
+            let is_deeper = q >= deepest;
+            let (k, slack) =
+                if is_deeper { (load, 0.0) } else { (unload, deepest * (1.0 - load / unload)) };
+            let contact = larger(k * (q - slack) + contact_damping * u, 0.0);
+            let damper = damping * w.abs().powf(exponent) * w.signum();
+            let plate = (contact - stiffness * x - damper) / plate_kg;
+            [u, -contact / projectile_kg - plate, w, plate]
+        };
+        let moved =
+            |by: [f64; 4], part: f64| std::array::from_fn(|i| at[i] + part * step_s * by[i]);
+        let first = slope(at);
+        let second = slope(moved(first, 0.5));
+        let third = slope(moved(second, 0.5));
+        let last = slope(moved(third, 1.0));
+        let rate = |i: usize| (first[i] + 2.0 * (second[i] + third[i]) + last[i]) / 6.0;
+        at = std::array::from_fn(|i| at[i] + step_s * rate(i));
+        deepest = larger(deepest, at[0]);
+        farthest_m = larger(farthest_m, at[2]);
+    }
+    let power = 2.0 - exponent;
+    // In contact both move with the plate's velocity.
+    let moving_kg = if at[1].abs() < 1e-6 { projectile_kg + plate_kg } else { plate_kg };
+    let coasts_m = moving_kg * larger(at[3], 0.0).powf(power) / (damping * power);
+    [deepest, if stiffness == 0.0 { at[2] + coasts_m } else { farthest_m }]
+}
+
+/// Damped contacts on damped plates: m below, at and above one, with a spring and without.
+#[test]
+fn valid_lumped_bodies_that_come_to_rest_by_equal_steps() {
+    let mut random = Random::new(53);
+    for index in 0..12 {
+        let mut log = |low: f64, high: f64| low * (high / low).powf(random.unit());
+        let exponent = [0.7, 1.0, 1.5][index % 3];
+        let (gamma, load, stiffer) = (log(0.5, 5.0), log(1e5, 1e6), log(2.0, 20.0));
+        let contact_damping = log(0.2, 5.0) * 2.0 * (0.0295 * load * stiffer).sqrt();
+        let stiffness = if index % 2 == 0 { 0.0 } else { log(1e4, 1e5) };
+        let damping = log(2.0, 6.0) * (0.0295 * (1.0 + gamma) * larger(stiffness, 1e4)).sqrt();
+        let pairs = format!(
+            "model=lumped dishing=off gamma={gamma} k={stiffness} b={damping} m={exponent} \
+             k_load={load} k_unload={} b_2={contact_damping}",
+            load * stiffer
+        );
+        let run = simulate(&Arc::new(scene_with(&pairs)), &Settings::BARE, &mut |_| {
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+        let [deepest, farthest] = lumped_by_equal_steps(
+            [0.0295, 0.0295 * gamma],
+            [stiffness, damping, exponent],
+            [load, load * stiffer, contact_damping],
+        );
+        assert_eq!(
+            run.end,
+            EndReason::Decided,
+            "{pairs} {:?} {:?} {:?} {:?}",
+            run.cost,
+            run.ledger,
+            run.separation,
+            run.first_arrest
+        );
+        let depth = run.final_penetration_m.unwrap();
+        assert!(
+            is_near(depth, deepest * (1.0 - 1.0 / stiffer), 1e-6),
+            "{pairs}: {depth} {deepest}"
+        );
+        let found = run.max_plate_displacement_m.unwrap();
+        assert!(is_near(found, farthest, 1e-6), "{pairs}: {found} {farthest}");
+    }
+}
+
+/// On a damper of power 2 a plate moves like ln t: without end, or to its stop.
+#[test]
+fn valid_lumped_bodies_go_as_far_as_their_damper_lets_them() {
+    let contact = "model=lumped gamma=1 k=0 k_load=1e6 k_unload=1e7 b_2=2e3";
+    for (pairs, expected) in [
+        ("b=2000 m=2", None),
+        ("b=2000 m=2 x_stop=5mm", Some(5e-3)),
+        ("b=2000 m=2.5 x_stop=5mm stop_kind=elastic k_stop=1e12", Some(5e-3)),
+    ] {
+        let scene = Arc::new(scene_with(&format!("{contact} {pairs}")));
+        let run = simulate(&scene, &Settings::BARE, &mut |_| ControlFlow::Continue(())).unwrap();
+        assert_eq!(run.end, EndReason::Decided, "{pairs}");
+        let found = run.max_plate_displacement_m;
+        assert_eq!(found.is_some(), expected.is_some(), "{pairs}: {found:?}");
+        if let Some((found, expected)) = found.zip(expected) {
+            assert!(is_near(found, expected, 1e-6), "{pairs}: {found} {expected}");
+        }
+    }
 }
