@@ -156,7 +156,7 @@ fn leaving_waits_for_nothing_that_is_being_computed() {
         ("2", "[2:Explore]", ""),
         ("2r", "[2:Explore]", "sweeping: "),
         ("3", "[3:Limit]", ""),
-        ("3r", "[3:Limit]", "finding the limit: "),
+        ("3r", "[3:Limit]", ""),
         ("4", "[Goal seek]", ""),
         ("4r", "[Goal seek]", "searching: "),
         ("44r", "[Pareto front]", "searching: "),

@@ -1,6 +1,6 @@
 //! Simulation of an impact from first contact to its end; a pure function without clock, file or thread.
 //!
-//! `equations` contains the equations of motion. `modes` contains the discrete states and their transitions, `events` the event functions
+//! `parameters` has what a scene gives, `equations` the equations of motion. `modes` contains the discrete states and their transitions, `events` the event functions
 //! of each state. `reduced_system` selects the active degrees of freedom; `plate_lock` locks the plate while a stiff spring holds it. `run`
 //! is the integration loop, and `method` lists the methods. `outcome` decides by energy when the run ends. `dense_output` has the states on
 //! a step, `recorder` accumulates rows, work and peak forces, and `results` builds the [`Run`].
@@ -22,6 +22,7 @@ mod events;
 mod method;
 mod modes;
 mod outcome;
+mod parameters;
 mod plate_lock;
 mod recorder;
 mod reduced_system;

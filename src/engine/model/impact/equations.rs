@@ -1,15 +1,11 @@
-//! Equations of motion: parameters of a scene, forces in a mode, accelerations and their derivatives.
+//! Equations of motion: forces in a mode, accelerations and their derivatives.
 //!
 //! Travel q and relative velocity u are measured along the projectile's axis, displacement x and velocity w along the plate's normal. With
 //! contact force F and the mechanism's force G, `m_p v' = -F` and `m_2 w' = F cos - G`, where u = v - w cos.
 
-use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
-use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
-use crate::model::plug::Plug;
-use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind};
+use crate::model::impact::parameters::ImpactParameters;
 use crate::numerics::step::{Jacobian, Point};
 use crate::numerics::{larger, smaller};
 
@@ -19,66 +15,6 @@ const VELOCITY_RESOLUTION: f64 = 1e-18;
 const FORCE_ROUNDING: f64 = 1e-13;
 /// Rounding error, relative to the operands of a difference that is zero.
 const ROUNDING: f64 = f64::EPSILON;
-
-/// Parameters of an impact.
-#[derive(Clone, Debug)]
-pub(super) struct ImpactParameters {
-    pub(super) law: ContactLaw,
-    pub(super) geometry: Geometry,
-    /// Spring at first contact; the law of an absorber changes as it is crushed.
-    pub(super) spring: Spring,
-    /// Mechanism that contains a crush absorber, if any.
-    pub(super) absorber: Option<Box<scene::Mechanism>>,
-    pub(super) damper: PowerLaw,
-    /// Velocity below which a damper with exponent < 1 is linearised, m/s; else 0.
-    pub(super) creep_m_s: f64,
-    /// Position of the stop, m; infinite without one.
-    pub(super) stop_at_m: f64,
-    /// Coefficient of restitution of the rigid stop; `None` without one.
-    pub(super) restitution: Option<f64>,
-    /// Stiffness of an elastic stop, N/m; else 0.
-    pub(super) stop_n_m: f64,
-    /// Damping coefficient of an elastic stop, N s/m; else 0.
-    pub(super) stop_n_s_m: f64,
-    pub(super) projectile_kg: f64,
-    /// Mass of the plate with the mass that the mechanism adds, kg.
-    pub(super) plate_kg: f64,
-    /// Part of `plate_kg` that represents inertia geared to the plate and carried by the mount.
-    pub(super) turning_kg: f64,
-    /// Mass of the fused bodies along the normal of the plate, kg.
-    pub(super) joined_kg: f64,
-    pub(super) cos: f64,
-    pub(super) strength_pa: f64,
-    pub(super) drag_kg_m3: f64,
-    /// Limit load in tension, relative to that in compression.
-    pub(super) grip: f64,
-    /// Reference velocity, m/s: the larger of projectile velocity and closing velocity at first contact.
-    pub(super) velocity_m_s: f64,
-    /// Reference length, m: the smaller of the tip radius and the travel over which the strength alone stops the shot.
-    pub(super) length_m: f64,
-    /// Displacement of the plate at first contact, m.
-    pub(super) start_m: f64,
-    /// Velocity of the plate at first contact, m/s.
-    pub(super) start_m_s: f64,
-    /// Relative velocity at first contact, m/s.
-    pub(super) closing_m_s: f64,
-    /// Whether the interface can slip after the first arrest.
-    pub(super) plastic: bool,
-    /// Whether the mount is rigid.
-    pub(super) still: bool,
-    /// Integration method.
-    pub(super) stepping: IntegrationMethod,
-    /// Relative tolerance of the local error.
-    pub(super) tolerance: f64,
-    /// Kinetic energy of projectile and plate at first contact, J.
-    pub(super) initial_kinetic_j: [f64; 2],
-    /// Parameters after the plug is picked up; `None` for a nose without a plug, and in these parameters themselves.
-    pub(super) plug: Option<Box<Self>>,
-    /// Factor of the relative velocity when the plug is picked up; 1 before.
-    pub(super) kept: f64,
-    /// Weight of the projectile along its axis, N; 0 if it is not included.
-    pub(super) weight_n: f64,
-}
 
 /// State: time, travel, relative velocity, and displacement (from the origin of the mode) and velocity of the plate.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -95,172 +31,6 @@ pub(super) struct State {
 pub(super) struct Equations<'a> {
     pub(super) setup: &'a ImpactParameters,
     pub(super) mode: &'a HybridMode,
-}
-
-impl ImpactParameters {
-    /// Creates the parameters of a valid scene, with a tolerance of the local error.
-    pub(super) fn from_scene(scene: &Scene, tolerance: f64) -> Self {
-        let law = ContactLaw::from_scene(scene);
-        let flows = law == ContactLaw::Flow;
-        let geometry = Geometry::from_scene(scene);
-        let mechanism = Mechanism::from_scene(scene);
-        let cos = geometry.nose.cos;
-        let closing_m_s = scene.closing_velocity_m_s();
-        let velocity_m_s = larger(scene.projectile.velocity_m_s, closing_m_s);
-        let projectile_kg = scene.projectile.mass_kg;
-        let plate_kg = moving_plate_kg(scene);
-        let absorbs = scene.is_sprung() && scene.mechanism.spring.kind == SpringKind::Crush;
-        let kinetic_j = |kg: f64, speed: f64| 0.5 * kg * speed * speed;
-        let start_m_s = scene.plate_velocity_m_s();
-        let own = Self {
-            law,
-            absorber: absorbs.then(|| Box::new(scene.mechanism.clone())),
-            damper: mechanism.damper,
-            creep_m_s: mechanism.damper.creep_m_s(velocity_m_s),
-            stop_at_m: mechanism.stop.and_then(|stop| stop.position_m).unwrap_or(f64::INFINITY),
-            restitution: mechanism.rigid_stop().map(|stop| stop.restitution),
-            stop_n_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.stiffness_n_m),
-            stop_n_s_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.damping_n_s_m),
-            spring: mechanism.spring,
-            projectile_kg,
-            plate_kg,
-            turning_kg: Inertia::from_scene(scene).rotation_kg,
-            joined_kg: plate_kg + projectile_kg * cos * cos,
-            cos,
-            strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
-            drag_kg_m3: if flows { scene.drag_kg_m3() } else { 0.0 },
-            grip: scene.interface.grip,
-            velocity_m_s,
-            length_m: if flows {
-                flow_length_m(scene, &geometry, velocity_m_s)
-            } else {
-                geometry.nose.radius_m
-            },
-            start_m: scene.start_m(),
-            geometry,
-            start_m_s,
-            closing_m_s,
-            plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
-            still: !scene.is_sprung(),
-            stepping: IntegrationMethod::Collocation(tolerance),
-            tolerance,
-            initial_kinetic_j: [
-                kinetic_j(projectile_kg, closing_m_s + start_m_s * cos),
-                kinetic_j(plate_kg, start_m_s),
-            ],
-            plug: None,
-            kept: 1.0,
-            weight_n: scene.weight_n() * cos,
-        };
-        match Plug::from_scene(scene).filter(|_| flows) {
-            None => own,
-            Some(plug) => Self { plug: Some(Box::new(own.around(&plug))), ..own },
-        }
-    }
-
-    /// Returns the parameters after a plug is picked up: it moves with the projectile, against the shear force at its rim.
-    fn around(&self, plug: &Plug) -> Self {
-        let projectile_kg = self.projectile_kg + plug.mass_kg;
-        let plate_kg = self.plate_kg - plug.mass_kg;
-        Self {
-            geometry: self.geometry.around(plug, self.strength_pa),
-            projectile_kg,
-            plate_kg,
-            joined_kg: plate_kg + projectile_kg * self.cos * self.cos,
-            strength_pa: plug.shear_pa,
-            drag_kg_m3: 0.0,
-            kept: plug.kept(self.projectile_kg),
-            ..self.clone()
-        }
-    }
-
-    /// Returns the parameters with an integration method.
-    pub(super) fn by(mut self, stepping: IntegrationMethod) -> Self {
-        self.stepping = stepping;
-        self.creep_m_s *= self.rule_part();
-        self.plug = self.plug.map(|plug| Box::new(plug.by(stepping)));
-        self
-    }
-
-    /// Returns the parameters at an end of a piece of the area law: those with the plug if it is picked up there.
-    pub(super) fn at(&self, q_m: f64) -> &Self {
-        self.plug.as_deref().filter(|_| q_m >= self.geometry.exit_m).unwrap_or(self)
-    }
-
-    /// Returns `true` if the plug is picked up.
-    pub(super) fn shears(&self) -> bool {
-        self.kept < 1.0
-    }
-
-    /// Returns the combined law of spring and elastic stop, without damping.
-    pub(super) fn with_stop(&self, spring: &Spring) -> Spring {
-        if self.stop_n_m == 0.0 {
-            return spring.clone();
-        }
-        spring.beside_stop(self.stop_at_m, self.stop_n_m)
-    }
-
-    pub(super) fn has_stop(&self) -> bool {
-        self.stop_at_m.is_finite()
-    }
-
-    /// Returns the spring and the crushed length of its absorber, m, for a plate that reverses at x; `None` if it is not crushed further.
-    pub(super) fn crushed_at(&self, x_m: f64, before_m: f64) -> Option<(Spring, f64)> {
-        let mechanism = self.absorber.as_ref()?;
-        let crushed_m = mechanism.spring.crush.crushed_by(x_m, before_m)?;
-        Some((Spring::new(mechanism, crushed_m), crushed_m))
-    }
-
-    /// Returns the fraction of the mechanism's force that the fused interface carries.
-    pub(super) fn interface_fraction(&self) -> f64 {
-        self.projectile_kg * self.cos / self.joined_kg
-    }
-
-    /// Returns the reference time, s: reference length over reference velocity.
-    pub(super) fn passage_s(&self) -> f64 {
-        self.length_m / self.velocity_m_s
-    }
-
-    /// Returns `true` if the plate starts at rest at a singular zero of its spring or damper.
-    pub(super) fn starts_steep(&self) -> bool {
-        let is_at_zero = !self.still
-            && (self.start_m, self.start_m_s) == (0.0, 0.0)
-            && self.spring.force(0.0) == 0.0;
-        is_at_zero && self.spring.is_steep_at_zero() && self.law != ContactLaw::AtOnce
-    }
-
-    /// Returns `true` if the plate is at its stop or beyond at first contact.
-    pub(super) fn starts_on_stop(&self) -> bool {
-        !self.still && self.start_m >= self.stop_at_m
-    }
-
-    /// Returns the position of a rigid stop, m; infinite without one.
-    pub(super) fn rigid_stop_m(&self) -> f64 {
-        if self.restitution.is_some() { self.stop_at_m } else { f64::INFINITY }
-    }
-
-    /// Returns the kinetic energy of both bodies at first contact, J.
-    pub(super) fn initial_j(&self) -> f64 {
-        self.initial_kinetic_j.into_iter().sum()
-    }
-
-    /// Returns the velocity of the projectile, m/s.
-    pub(super) fn projectile_m_s(&self, state: &State) -> f64 {
-        state.u_m_s + state.w_m_s * self.cos
-    }
-}
-
-/// Returns the reference length, m: the smaller of the tip radius and the travel over which the strength dissipates the energy of the shot,
-/// with the first piece `a_0 + a_1 q` of the area law.
-fn flow_length_m(scene: &Scene, geometry: &Geometry, velocity_m_s: f64) -> f64 {
-    let (nose, law) = (&geometry.nose, geometry.piece(0.0).law);
-    let energy_j = 0.5 * scene.projectile.mass_kg * velocity_m_s * velocity_m_s;
-    let volume_m3 = energy_j / scene.flow_strength_pa();
-    let (area_m2, slope_m) = (law.area_m2(nose, 0.0), law.slope_m(nose, 0.0));
-    let travel_m =
-        2.0 * volume_m3 / (area_m2 + (area_m2 * area_m2 + 2.0 * slope_m * volume_m3).sqrt());
-    // The travel is infinite without strength.
-    if travel_m < nose.radius_m { travel_m } else { nose.radius_m }
 }
 
 impl Equations<'_> {

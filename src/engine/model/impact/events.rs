@@ -1,8 +1,9 @@
 //! Events of a mode and their event functions: positive while the mode lasts, zero at the event.
 
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
+use crate::model::impact::parameters::ImpactParameters;
 use crate::numerics::larger;
 
 /// Returns the events that can end a mode.

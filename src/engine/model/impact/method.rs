@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::impact::equations::ImpactParameters;
+use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::run::run;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{Observer, Run, Settings};

@@ -6,7 +6,8 @@
 
 use crate::model::contact::AreaPiece;
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::parameters::ImpactParameters;
 use crate::model::mechanism::{Spring, sign};
 /// Contact of projectile and plate; the `mode` of a row.
 pub(super) use crate::model::run::ContactMode as Contact;

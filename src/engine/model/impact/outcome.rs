@@ -4,9 +4,10 @@
 //! deeper hole, a projectile pulled out, a new contact, a larger displacement. The functions depend only on contact mode and state.
 
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, PlateConstraint};
+use crate::model::impact::parameters::ImpactParameters;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;

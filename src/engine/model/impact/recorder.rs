@@ -4,8 +4,9 @@ use std::array;
 
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::dense_output::DenseOutput;
-use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
+use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::results::sample;
 use crate::model::run::{
     Arrest, Cost, Departure, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Sample,

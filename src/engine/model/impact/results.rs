@@ -5,9 +5,10 @@ use std::sync::Arc;
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
 use crate::model::impact::outcome::NEGLIGIBLE;
+use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{

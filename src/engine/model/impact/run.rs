@@ -6,9 +6,10 @@
 use std::sync::Arc;
 
 use crate::model::impact::dense_output::DenseOutput;
-use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::events::{self, event_function};
 use crate::model::impact::modes::{self, Event, PlateConstraint};
+use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::{Loads, Recorder};
 use crate::model::impact::reduced_system::ReducedSystem;
 use crate::model::impact::results::{self, GROWTH, ImpactRun};

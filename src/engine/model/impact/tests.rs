@@ -4,9 +4,10 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::equations::{Equations, ImpactParameters, State};
+use super::equations::{Equations, State};
 use super::method::{IntegrationMethod, run_by};
 use super::modes::{Contact, HybridMode, first};
+use super::parameters::ImpactParameters;
 use crate::model::run::{EndReason, Outcome, Run, Sample, Settings};
 use crate::model::scene::Scene;
 use crate::model::simulate::simulate;

@@ -4,8 +4,9 @@
 //! `m_p v' = P - F`. Fused bodies have `M w' = P cos - G` with their mass M along the normal; the interface carries
 //! `m_p cos G/M + P m_2/M`. A projectile that has left the plate has no weight: the model does not include a second fall.
 
-use crate::model::impact::equations::{Equations, ImpactParameters, State};
+use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::modes::{Contact, HybridMode};
+use crate::model::impact::parameters::ImpactParameters;
 use crate::model::mechanism::Spring;
 use crate::numerics::larger;
 

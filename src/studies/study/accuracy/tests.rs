@@ -122,7 +122,7 @@ fn every_error_has_a_reference_of_other_steps_and_none_lies_below_its_uncertaint
 /// the ten that are allowed here.
 #[test]
 fn a_point_of_much_work_is_the_last_of_its_method_and_a_failed_one_is_not() {
-    let report = report_within(&scene("k=1e5 n=0.2"), SettingGrid::Quick, 10);
+    let report = report_within(&scene("k=1e7 n=0.5"), SettingGrid::Quick, 10);
     let method = |it: &&MethodReport| it.method == Method::Rk4Events;
     let points = &report.methods.iter().find(method).unwrap().points;
     let results: Vec<_> = points.iter().map(|point| point.result.err()).collect();
