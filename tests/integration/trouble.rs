@@ -125,11 +125,13 @@ fn a_table_whose_name_is_taken_goes_by_another_one() {
     let mut terminal = started(Start::default());
     fs::write(terminal.file("taken.csv"), "mine").unwrap();
     // The Limit tab has a map, which takes a name when it is whole.
-    terminal.send("3r");
-    terminal.wait_until("the whole map", |screen| {
-        let shown = screen.contents();
-        shown.contains("v_bl") && !["mapping: ", "first look"].iter().any(|it| shown.contains(it))
+    terminal.send("3");
+    terminal.wait_until("a look", |screen| {
+        ["first look", "done | "].iter().any(|it| screen.contents().contains(it))
     });
+    terminal.send("r");
+    terminal.sync();
+    terminal.wait_for("done | ");
     terminal.send("e\x15taken.csv\r");
     terminal.wait_for("o overwrite");
     terminal.send("\x1b");
