@@ -6,7 +6,7 @@
 //! *Defence Technology* 2023; Mendeley Data, doi 10.17632/4f92y6jzzh.2, CC BY 4.0) and marked as fitted.
 //!
 //! The force over the slip s is `F = pi D_p tau (h_p - s)` with tau = `sigma_1`/3^(1/2), up to the slip at which the work per sheared area
-//! has reached `w h_p`. So the work is W = `pi D_p h_p² w` and the slip ends at `s_f = h_p (1 - (1 - 2 w/tau)^(1/2))`. Ductile shearing through
+//! has reached `w h_p`. So the work is W = `pi D_p h_p² w`; the slip ends at `s_f = h_p (1 - (1 - 2 w/tau)^(1/2))`. Ductile shearing through
 //! the whole thickness is w = tau/2. Adiabatic shear ends it at a work that hardly depends on the strength.
 
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};

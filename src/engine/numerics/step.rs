@@ -198,8 +198,8 @@ pub(super) mod tests {
         }
     }
 
-    /// The integral of `P_k` is `(P_(k+1) - P_(k-1))/(2 (2 k + 1))` over the parts of a step: the method with the most stages keeps its highest
-    /// degree.
+    /// The integral of `P_k` is `(P_(k+1) - P_(k-1))/(2 (2 k + 1))` over the parts of a step: the method with the most stages keeps its
+    /// highest degree.
     #[test]
     fn valid_the_highest_degree_of_the_longest_method_is_in_its_states() {
         let mut acceleration = [[0.0; STAGES_MAX]];
