@@ -1,5 +1,5 @@
-//! What measurements say of a shot and of a moving plate, in every command: thin plates under cylinders, three rules under hemispheres, the
-//! bending of the plate, the sizes of `compare`, and tables of one's own.
+//! Verdicts of measurements on a shot and a moving plate, in every command: thin plates under cylinders, three rules under hemispheres,
+//! the bending of the plate, the sizes of `compare`, and tables of one's own.
 
 use serde_json::Value;
 
@@ -185,7 +185,7 @@ fn a_table_of_many_rows_gives_no_refusals() {
     assert_eq!(row["class"], "steel core on light alloy");
 }
 
-/// One line each, with the cure.
+/// Bad input gets one line each, with the cure.
 #[test]
 fn what_cannot_be_computed_is_said_in_one_line() {
     let heavy = "nose=fragment m_p=53.78g R=9.95mm rho=2700 closure=cylindrical Y=276MPa UTS=310MPa E=68.3GPa h=25mm";

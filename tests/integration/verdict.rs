@@ -95,7 +95,7 @@ fn valid_every_command_gives_one_answer() {
     }
 }
 
-/// What designs are judged by is the shot's own verdict too: at the thickness of each shot seek, the front of optimise and the report have the
+/// Designs are judged by the shot's own verdict, too: at the thickness of each shot seek, the front of optimise and the report have the
 /// answer of `run`; a shot that is not below its band is in no front.
 #[test]
 fn designs_and_reports_give_the_same_answer() {

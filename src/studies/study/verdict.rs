@@ -59,6 +59,9 @@ pub struct Verdict {
     pub decision: Decision,
 }
 
+/// Relative tolerance of a limit. A design that a search sizes for the lower end of the band lies on it to this accuracy, and stops.
+const LIMIT_TOLERANCE: f64 = 1e-9;
+
 impl Verdict {
     /// Returns the verdict on a scene's shot; uses the limit in closed form if there is one.
     pub fn from_scene(scene: &Scene) -> Self {
@@ -92,7 +95,7 @@ impl Verdict {
         });
         let v_m_s = scene.projectile.velocity_m_s;
         let decision = expected.as_ref().map_or(Decision::NotMeasured, |band| {
-            if v_m_s < band.low_m_s {
+            if v_m_s <= band.low_m_s * (1.0 + LIMIT_TOLERANCE) {
                 Decision::Stops
             } else if v_m_s > band.high_m_s {
                 Decision::Perforates

@@ -33,7 +33,7 @@ fn scene(name: &str, pairs: &str) -> Scene {
     changed(preset::resolve(name, None).unwrap().scene, pairs).unwrap()
 }
 
-/// What is wrong with a screen.
+/// Faults of a screen.
 fn faults(screen: &str, (columns, rows): (u16, u16)) -> Vec<String> {
     let mut faults = Vec::new();
     let lines: Vec<&str> = screen.lines().collect();

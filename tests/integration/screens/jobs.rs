@@ -273,7 +273,7 @@ fn an_error_stays_with_the_page_that_was_searched() {
     assert!(bench.message().contains("no design has a stroke"), "{}", bench.message());
 }
 
-/// What a person stopped waits for `r`, also where the tab is shown again, and is written as a part.
+/// A study that a person stopped waits for `r`, also where the tab is shown again, and is written as a part.
 #[test]
 fn a_stopped_map_says_so_and_waits() {
     let mut bench = limit::open(GlyphSet::Ascii, (120, 40));

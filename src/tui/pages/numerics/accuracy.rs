@@ -114,16 +114,15 @@ pub(crate) fn readout(app: &App) -> Option<String> {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
     let report = tab.method_report(method)?;
-    let [first, second] = TARGETS.map(|target| {
-        let found = report.cheapest(target);
-        found.map_or_else(
-            || format!("not {target:.0e}"),
-            |found| format!("{target:.0e} in {}", seconds(found.min_s)),
-        )
+    let reached = TARGETS.into_iter().filter_map(|target| {
+        let found = report.cheapest(target)?;
+        Some(format!("{target:.0e} in {}", seconds(found.min_s)))
     });
+    let reached = reached.collect::<Vec<_>>().join(", ");
+    let reached = if reached.is_empty() { format!("above {:.0e}", TARGETS[0]) } else { reached };
     let least = report.min_error().map(|error| format!("; least {error:.0e}"));
     let least = least.unwrap_or_default();
-    Some(format!("{} reaches an error of {first}, {second}{least}", method.name()))
+    Some(format!("{}: error {reached}{least}", method.name()))
 }
 
 /// Starts the measurement unless this scene has been or is being measured.
