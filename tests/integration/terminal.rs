@@ -565,14 +565,15 @@ fn the_first_steps_at_every_size() {
         // The meaning and range of the selected row.
         assert!(first.contains("thesis 0.8 to 7"), "{columns}x{lines}\n{first}");
 
+        let mut before = depth_mm(&first);
         for gamma in ["2", "4"] {
             terminal.send(&format!("g\r{gamma}\r"));
             let kg = format!("! {gamma} (");
-            let before = depth_mm(&first);
-            terminal.wait_until("a heavier plate", |screen| {
+            let heavier = terminal.wait_until("a heavier plate", |screen| {
                 let text = screen.contents();
                 (text.contains(&kg) || text.contains(&kg[2..])) && depth_mm(&text) > before
             });
+            before = depth_mm(&heavier);
             terminal.send(" ");
             terminal.wait_for(&format!("gamma={gamma}"));
         }
