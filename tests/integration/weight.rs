@@ -96,15 +96,15 @@ fn nothing_stops_a_plate_without_a_spring() {
 /// 45 kg times 9.81 m/s² over 516.5 mm are 16.7 % of 1365 J.
 #[test]
 fn valid_a_weight_that_is_not_counted_is_reported_where_it_matters() {
-    let share = |run: &Run| {
+    let fraction = |run: &Run| {
         run.warnings.iter().find_map(|warning| match warning {
-            RunWarning::WeightOmitted { share } => Some(*share),
+            RunWarning::WeightOmitted { fraction } => Some(*fraction),
             _ => None,
         })
     };
-    assert_near(share(&falling("")).unwrap(), 45.0 * GRAVITY_M_S2 * 0.5165 / 1365.02, 1e-3);
+    assert_near(fraction(&falling("")).unwrap(), 45.0 * GRAVITY_M_S2 * 0.5165 / 1365.02, 1e-3);
     for light in ["weight=on", "k=5e6", "mount=rigid"] {
-        assert_eq!(share(&falling(light)), None, "{light}");
+        assert_eq!(fraction(&falling(light)), None, "{light}");
     }
     assert_eq!(share(&run(scene("k=1e5"))), None);
     let (page, _) = says("explain", &["weight"], 0);

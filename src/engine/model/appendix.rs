@@ -85,7 +85,7 @@ fn runge_kutta<const N: usize>(
     dt_s: f64,
     rate: impl Fn([f64; N]) -> [f64; N],
 ) -> [f64; N] {
-    let ahead = |k: [f64; N], part: f64| std::array::from_fn(|i| y[i] + part * k[i]);
+    let ahead = |k: [f64; N], fraction: f64| std::array::from_fn(|i| y[i] + fraction * k[i]);
     let k1 = rate(y);
     let k2 = rate(ahead(k1, 0.5 * dt_s));
     let k3 = rate(ahead(k2, 0.5 * dt_s));

@@ -52,11 +52,11 @@ impl Shearing {
     /// perforates.
     fn arrest_m(&self, slip_m_s: f64) -> Option<f64> {
         let Plug { thickness_m, work_j, slip_m, .. } = self.plug;
-        let share = 0.5 * slip_m_s * slip_m_s / (self.mobility_per_kg * work_j);
+        let fraction = 0.5 * slip_m_s * slip_m_s / (self.mobility_per_kg * work_j);
         // W = F(0) (s_f - s_f²/(2 h_p)); the energy is expressed relative to the work through the whole thickness.
         let part = slip_m / thickness_m;
-        let whole = share * part * (2.0 - part);
-        (share < 1.0).then(|| thickness_m * whole / (1.0 + (1.0 - whole).sqrt()))
+        let whole = fraction * part * (2.0 - part);
+        (fraction < 1.0).then(|| thickness_m * whole / (1.0 + (1.0 - whole).sqrt()))
     }
 
     /// Returns the square of the relative velocity after the pick-up that leaves a given velocity after a slip, m²/s².

@@ -444,7 +444,7 @@ impl Run {
     }
 
     /// Returns the work of the projectile's weight over the stroke, relative to the kinetic energy of the impact; `None` without a stroke.
-    pub fn weight_share(&self) -> Option<f64> {
+    pub fn weight_fraction(&self) -> Option<f64> {
         let scene = &self.scene;
         let Projectile { mass_kg, velocity_m_s, .. } = scene.projectile;
         let way_m = self.stroke_m().filter(|_| scene.is_sprung())?;

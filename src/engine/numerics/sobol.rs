@@ -130,8 +130,8 @@ mod tests {
             for dimension in 0..DIMENSIONS {
                 let mut seen = [false; 64];
                 for index in 0..64 {
-                    let share = point_coordinate(index, dimension, seed);
-                    let place = (0..64).rfind(|at| share * 64.0 >= f64::from(*at)).unwrap();
+                    let fraction = point_coordinate(index, dimension, seed);
+                    let place = (0..64).rfind(|at| fraction * 64.0 >= f64::from(*at)).unwrap();
                     let place = usize::try_from(place).unwrap();
                     assert!(!std::mem::replace(&mut seen[place], true), "{dimension} {seed}");
                 }

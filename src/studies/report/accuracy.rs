@@ -92,8 +92,8 @@ pub fn by(found: &Cheapest) -> String {
 }
 
 /// Formats a fraction as a whole percentage.
-pub fn percent(part: f64) -> String {
-    format!("{:.0} %", 100.0 * part)
+pub fn percent(fraction: f64) -> String {
+    format!("{:.0} %", 100.0 * fraction)
 }
 
 /// Names the fastest method with an error of at most 1e-6, and its run time.

@@ -48,8 +48,8 @@ impl Energies {
             }
             let next = books.next(&now, (&pair[0], &pair[1]), &mut crushed);
             if pair[1].t_s > t_s {
-                let part = (t_s - pair[0].t_s) / (pair[1].t_s - pair[0].t_s);
-                return Some(now.between(&next, part));
+                let fraction = (t_s - pair[0].t_s) / (pair[1].t_s - pair[0].t_s);
+                return Some(now.between(&next, fraction));
             }
             now = next;
         }
@@ -75,8 +75,8 @@ impl Energies {
         self.parts().iter().map(|part| part.1).sum()
     }
 
-    fn between(&self, next: &Self, part: f64) -> Self {
-        let mix = |a: f64, b: f64| a + part * (b - a);
+    fn between(&self, next: &Self, fraction: f64) -> Self {
+        let mix = |a: f64, b: f64| a + fraction * (b - a);
         Self {
             projectile_j: mix(self.projectile_j, next.projectile_j),
             plug_j: mix(self.plug_j, next.plug_j),
@@ -267,8 +267,8 @@ mod tests {
             let run = run_with(&scene(&text), Settings::SERIES).unwrap();
             let initial_j = run.ledger.initial_j();
             let end_s = run.series.last().unwrap().t_s;
-            for part in 0..=50 {
-                let energies = Energies::at(&run, end_s * f64::from(part) / 50.0).unwrap();
+            for index in 0..=50 {
+                let energies = Energies::at(&run, end_s * f64::from(index) / 50.0).unwrap();
                 let sum = energies.sum_j() / initial_j;
                 // A weight continues to add energy.
                 let is_whole = run.scene.projectile.weight || (sum - 1.0).abs() < 1e-12;

@@ -110,8 +110,8 @@ pub fn table<'c>(name: &'c str, report: &'c MonteCarloReport) -> Table<'c, &'c S
         .shown(in_unit)
         .with("deviation", "std dev", "", |it| it.deviation)
         .shown(in_unit);
-    let quantile = |table: Table<'c, &'c Summary>, (key, label, share)| {
-        table.with(key, label, "", move |it| Some(it.quantile(share)?.value)).shown(in_unit)
+    let quantile = |table: Table<'c, &'c Summary>, (key, label, fraction)| {
+        table.with(key, label, "", move |it| Some(it.quantile(fraction)?.value)).shown(in_unit)
     };
     QUANTILES
         .into_iter()
@@ -149,9 +149,9 @@ pub fn json(name: &str, report: &MonteCarloReport, verdict: &Verdict, reach: Rea
     let outputs = table.rows.iter().map(|summary| {
         let is_own = |key: &str| key != "scene" && key != "seed" && !key.starts_with('q');
         let mut object = table.object(summary, is_own);
-        let quantiles = QUANTILES.iter().filter_map(|(_, _, share)| {
-            let Estimate { value, low_95, high_95 } = summary.quantile(*share)?;
-            Some(json!({ "share": share, "value": value, "low_95": low_95, "high_95": high_95 }))
+        let quantiles = QUANTILES.iter().filter_map(|(_, _, fraction)| {
+            let Estimate { value, low_95, high_95 } = summary.quantile(*fraction)?;
+            Some(json!({ "share": fraction, "value": value, "low_95": low_95, "high_95": high_95 }))
         });
         object.insert("quantiles".to_owned(), quantiles.collect());
         object

@@ -121,8 +121,8 @@ impl Channel {
         };
         let (low, high) = (self.value(&run.scene, before), self.value(&run.scene, next));
         let width = next.t_s - before.t_s;
-        let share = if width > 0.0 { (t_s - before.t_s) / width } else { 0.0 };
-        Some(low + share * (high - low))
+        let fraction = if width > 0.0 { (t_s - before.t_s) / width } else { 0.0 };
+        Some(low + fraction * (high - low))
     }
 
     /// Explains why a run of a scene lacks the quantity; `None` if it does not.
@@ -171,8 +171,8 @@ pub fn state_at(run: &Run, t_s: f64) -> Option<Sample> {
         });
     };
     let width_s = next.t_s - before.t_s;
-    let part = if width_s > 0.0 { ((t_s - before.t_s) / width_s).clamp(0.0, 1.0) } else { 0.0 };
-    let mix = |get: fn(&Sample) -> f64| get(before) + part * (get(next) - get(before));
+    let fraction = if width_s > 0.0 { ((t_s - before.t_s) / width_s).clamp(0.0, 1.0) } else { 0.0 };
+    let mix = |get: fn(&Sample) -> f64| get(before) + fraction * (get(next) - get(before));
     Some(Sample {
         t_s,
         mode: before.mode,
@@ -199,9 +199,9 @@ pub fn thinned(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 /// Thins points to a number of equal intervals of time.
 pub(crate) fn thinned_to(points: &[(f64, f64)], parts: f64) -> Vec<(f64, f64)> {
     let [first, .., last] = points else { return points.to_vec() };
-    let part = |point: &(f64, f64)| ((point.0 - first.0) / (last.0 - first.0) * parts).floor();
+    let cell = |point: &(f64, f64)| ((point.0 - first.0) / (last.0 - first.0) * parts).floor();
     let mut few = Vec::new();
-    for short in points.chunk_by(|a, b| part(a).total_cmp(&part(b)).is_eq()) {
+    for short in points.chunk_by(|a, b| cell(a).total_cmp(&cell(b)).is_eq()) {
         let gaps = short.iter().filter(|point| !point.1.is_finite()).count();
         if gaps > 0 && gaps < short.len() || short.len() <= 4 {
             few.extend(short);

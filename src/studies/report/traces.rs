@@ -87,8 +87,8 @@ fn value_at(points: &[(f64, f64)], after: usize, t_s: f64) -> Option<f64> {
         return (t_s <= before_s).then_some(low).filter(|value| value.is_finite());
     };
     let width_s = next_s - before_s;
-    let part = if width_s > 0.0 { (t_s - before_s) / width_s } else { 0.0 };
-    Some(low + part * (high - low)).filter(|value| value.is_finite())
+    let fraction = if width_s > 0.0 { (t_s - before_s) / width_s } else { 0.0 };
+    Some(low + fraction * (high - low)).filter(|value| value.is_finite())
 }
 
 fn figures(points: &[(f64, f64)]) -> Option<Figures> {
@@ -302,10 +302,10 @@ mod tests {
         let end_s = 1.2e-4;
         let many = 20_001;
         let at = |index: usize| {
-            let share = index as f64 / (many - 1) as f64;
-            let t_s = share * end_s;
+            let fraction = index as f64 / (many - 1) as f64;
+            let t_s = fraction * end_s;
             let after = points.partition_point(|point| point.0 <= t_s);
-            (t_s, value_at(&points, after, t_s).unwrap() - 1e-3 - 2e-3 * share)
+            (t_s, value_at(&points, after, t_s).unwrap() - 1e-3 - 2e-3 * fraction)
         };
         let found = trace(Channel::Penetration, (0..many).map(at).collect());
         let found = found.difference(&run).unwrap();

@@ -391,10 +391,10 @@ fn sample(
 fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
     let open = counts.count(Outcome::Moving) + counts.count(Outcome::Unmeasured);
     let ended = (counts.total() - counts.failed - open) as f64;
-    let part = counts.count(Outcome::Perforated) as f64 / ended;
+    let fraction = counts.count(Outcome::Perforated) as f64 / ended;
     (ended > 0.0).then(|| {
-        let (low_95, high_95) = wilson(part, ended);
-        Estimate { value: part, low_95, high_95 }
+        let (low_95, high_95) = wilson(fraction, ended);
+        Estimate { value: fraction, low_95, high_95 }
     })
 }
 
@@ -414,11 +414,15 @@ impl Summary {
 
     /// Returns a quantile with its 95 % confidence interval from order statistics (normal approximation of the binomial); `None` for fewer
     /// than two values.
-    pub fn quantile(&self, share: f64) -> Option<Estimate> {
+    pub fn quantile(&self, fraction: f64) -> Option<Estimate> {
         self.deviation?;
-        let half = Z95 * (share * (1.0 - share) / self.sorted.len() as f64).sqrt();
-        let at = |share: f64| quantile(&self.sorted, share.clamp(0.0, 1.0));
-        Some(Estimate { value: at(share), low_95: at(share - half), high_95: at(share + half) })
+        let half = Z95 * (fraction * (1.0 - fraction) / self.sorted.len() as f64).sqrt();
+        let at = |fraction: f64| quantile(&self.sorted, fraction.clamp(0.0, 1.0));
+        Some(Estimate {
+            value: at(fraction),
+            low_95: at(fraction - half),
+            high_95: at(fraction + half),
+        })
     }
 }
 

@@ -134,7 +134,8 @@ impl Effect {
         let of = |cell: usize| {
             let (from, to) = (cell as f64 / count as f64, (cell + 1) as f64 / count as f64);
             if known.len() < INTERPOLATED_LEAST {
-                let is_in = |share: f64| share >= from && (share < to || cell + 1 == count);
+                let is_in =
+                    |fraction: f64| fraction >= from && (fraction < to || cell + 1 == count);
                 return known.iter().find(|point| is_in(point.0)).and_then(|point| point.1);
             }
             let middle = 0.5 * (from + to);
@@ -152,9 +153,9 @@ impl Effect {
 
     /// Returns the part of the range that contains the scene's value; `None` outside the range.
     pub fn own_cell(&self, count: usize) -> Option<usize> {
-        let share = self.axis.share(self.own?)?;
+        let fraction = self.axis.fraction(self.own?)?;
         (1..=count)
-            .find(|cell| share * (count as f64) < *cell as f64)
+            .find(|cell| fraction * (count as f64) < *cell as f64)
             .or(Some(count))
             .map(|it| it - 1)
     }
@@ -306,7 +307,7 @@ fn value_at(axis: &Axis, at: usize) -> f64 {
     match at {
         0 => low,
         _ if at + 1 == POINTS => high,
-        _ => axis.at_share(at as f64 / (POINTS - 1) as f64),
+        _ => axis.at_fraction(at as f64 / (POINTS - 1) as f64),
     }
 }
 

@@ -275,9 +275,9 @@ pub(crate) fn step(app: &mut App, press: StepKey) {
     if let Some(value) = value {
         return finish(app, index, Value::Number(value), Some(index));
     }
-    let way = if press.up { "more" } else { "less" };
+    let direction = if press.up { "more" } else { "less" };
     let allowed = variable.allowed();
-    app.report_progress(format!("{symbol} cannot be stepped to {way}: it must be {allowed}"));
+    app.report_progress(format!("{symbol} cannot be stepped to {direction}: it must be {allowed}"));
 }
 
 fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) {

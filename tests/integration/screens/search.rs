@@ -26,7 +26,7 @@ fn front(scene: &Scene, request: &front::Request) -> FrontReport {
         |i: f64| vec![Some(1e-3 + 1e-4 * i), Some(0.8 / (1.0 + i)), Some(0.5), Some(4e3)];
     let over = or_usual(&request.over, || thesis_axes(scene)).unwrap();
     let design = |i: u8| Design {
-        values: over.iter().map(|axis| axis.at_share(f64::from(i) / 40.0)).collect(),
+        values: over.iter().map(|axis| axis.at_fraction(f64::from(i) / 40.0)).collect(),
         measures: measures(f64::from(i)),
         outcome: PointOutcome::Ended(Outcome::Arrested),
         plastic: None,

@@ -166,17 +166,17 @@ impl Work {
     /// Moves the state to the time within the last step at which the relative velocity or the area vanished.
     fn locate(&mut self, before: &State, step: usize) {
         let after = self.state;
-        let part = if after.area_m2 > 0.0 {
+        let fraction = if after.area_m2 > 0.0 {
             before.slip_m_s / (before.slip_m_s - after.slip_m_s)
         } else {
             let geometry = &self.scheme.geometry;
             let exit_m = geometry.depth_m(geometry.exit_m);
             (exit_m - before.depth_m) / (after.depth_m - before.depth_m)
         };
-        let part = part.clamp(0.0, 1.0);
-        let between = |a: f64, b: f64| a + part * (b - a);
+        let fraction = fraction.clamp(0.0, 1.0);
+        let between = |a: f64, b: f64| a + fraction * (b - a);
         let plate = [0, 1].map(|i| between(before.plate[i], after.plate[i]));
-        self.t_s = ((step - 1) as f64 + part) * self.scheme.listing.step_s;
+        self.t_s = ((step - 1) as f64 + fraction) * self.scheme.listing.step_s;
         self.state = State {
             pen_m: between(before.pen_m, after.pen_m),
             velocity_m_s: between(before.velocity_m_s, after.velocity_m_s),

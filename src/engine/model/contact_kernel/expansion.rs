@@ -170,7 +170,7 @@ impl Contact {
         // The contribution of the velocity coefficient to the pressure is added last, to shorten the dependency chain.
         let by_slip = 2.0 * drag * state[1];
         let per_force = self.plate_mobility * unit_s;
-        let share = self.cos * self.plate_mobility / self.slip_mobility;
+        let fraction = self.cos * self.plate_mobility / self.slip_mobility;
         macro_rules! unrolled {
             ($($j:literal)*) => { $( {
                 const J: usize = $j;
@@ -191,7 +191,7 @@ impl Contact {
                 }
                 let g = per_force * (spring.term(&plate, J) + damper.term(&speed, J));
                 slowing[J] = self.cos * g - f;
-                driving[J] = share * f - g;
+                driving[J] = fraction * f - g;
                 let per_order = 1.0 / (J + 1) as f64;
                 travel[J + 1] = clock.along(&slip, J) * (unit_s * per_order);
                 slip[J + 1] = clock.along(&slowing, J) * per_order;

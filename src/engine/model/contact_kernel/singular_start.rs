@@ -77,7 +77,7 @@ impl Contact {
         let spring = self.spring.only_if(self.start_m == 0.0);
         let (n, m) = (spring.exponent, self.damper.exponent);
         let (mut w, mut a, mut p) = (free_m_s, free_a, free_p);
-        let (mut share, mut growth, mut by_spring) = (0.0, 0.0, false);
+        let (mut fraction, mut growth, mut by_spring) = (0.0, 0.0, false);
         // Forces are expressed as changes of velocity within this time.
         let per_force = t_s * self.plate_mobility;
         for _ in 0..BALANCE_ROUNDS {
@@ -85,7 +85,7 @@ impl Contact {
             let damped = per_force * self.damper.force(w);
             let inertia = w * p;
             let whole = inertia + held + damped;
-            share = (held + damped) / whole;
+            fraction = (held + damped) / whole;
             by_spring = held > damped;
             growth = if by_spring { n * free_a } else { m * free_p } + 1.0 - free_p;
             // Powers from the logarithmic derivative of the balance, with relaxation.
@@ -109,18 +109,18 @@ impl Contact {
         let state = [travel - self.cos * dx, slip - self.cos * dw, plate_m + dx, w];
         // Initially a preload is constant and the contact force proportional to time, and either inertia or a law dominates.
         let first_p = if self.start_m < 0.0 { 1.0 } else { 2.0 };
-        let (first_share, first_a) = if growth > 0.0 {
+        let (first_fraction, first_a) = if growth > 0.0 {
             (0.0, first_p + 1.0)
         } else if by_spring {
             (1.0, (first_p - 1.0) / n)
         } else {
             (1.0, (first_p - 1.0) / m + 1.0)
         };
-        let missed = MISSED * (share - first_share).abs() * (a - first_a).abs();
+        let missed = MISSED * (fraction - first_fraction).abs() * (a - first_a).abs();
         // Velocity of the projectile, or of the plate if its displacement is relevant.
         let counts_m_s = larger(self.reach_m / self.scale_s, PLATE_PART_MIN * self.velocity_m_s);
         let by_plate = missed * self.cos * w / counts_m_s;
-        let by_projectile = HELD * share * (t_s / self.scale_s).powi(4);
+        let by_projectile = HELD * fraction * (t_s / self.scale_s).powi(4);
         Some(if by_projectile > by_plate {
             (state, by_projectile, 4.0)
         } else {

@@ -82,8 +82,8 @@ impl Lumped {
             v / w * (-r * s.atan2(r) / s).exp()
         } else {
             let z = 2.0 * s * (r + s) / (w * w);
-            let part = if z > 0.0 { z.ln_1p() / z } else { 1.0 };
-            v / (r + s) * (-part).exp()
+            let fraction = if z > 0.0 { z.ln_1p() / z } else { 1.0 };
+            v / (r + s) * (-fraction).exp()
         };
         self.dent_m(travel_m)
     }

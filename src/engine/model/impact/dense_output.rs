@@ -20,8 +20,8 @@ impl<'a> DenseOutput<'a> {
         Self { at, looks: array::from_fn(|look| at(look as f64 / CELLS as f64)) }
     }
 
-    pub(super) fn at(&self, part: f64) -> State {
-        (self.at)(part)
+    pub(super) fn at(&self, fraction: f64) -> State {
+        (self.at)(fraction)
     }
 
     pub(super) fn end(&self) -> &State {
@@ -31,7 +31,7 @@ impl<'a> DenseOutput<'a> {
     /// The greatest value of a function of its states, located only if it may exceed what is known.
     pub(super) fn greatest(&self, known: f64, of: impl Fn(&State) -> f64) -> f64 {
         let values = array::from_fn(|i| of(&self.looks[2 * i]));
-        maximum::greatest(&values, known, &|part| of(&self.at(part)), None)
+        maximum::greatest(&values, known, &|fraction| of(&self.at(fraction)), None)
     }
 
     /// Returns the greatest value on the step of a function whose rate is known.
@@ -42,7 +42,7 @@ impl<'a> DenseOutput<'a> {
         rate: impl Fn(&State) -> f64,
     ) -> f64 {
         let values = array::from_fn(|i| of(&self.looks[2 * i]));
-        let rate = |part: f64| rate(&self.at(part));
-        maximum::greatest(&values, known, &|part| of(&self.at(part)), Some(&rate))
+        let rate = |fraction: f64| rate(&self.at(fraction));
+        maximum::greatest(&values, known, &|fraction| of(&self.at(fraction)), Some(&rate))
     }
 }

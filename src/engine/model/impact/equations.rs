@@ -289,8 +289,13 @@ mod tests {
             ("x_stop=1mm stop_kind=elastic b_stop=90", Contact::Perforated, [0.1, 50.0, 2e-3, 9.0]),
             ("mount=rigid", Contact::Penetrating, [4e-3, 80.0, 0.0, 0.0]),
         ] {
-            let at = |way: f64| {
-                let state = [q + way * 1e-7, u + way * 1e-2, x + way * 1e-7, w + way * 1e-2];
+            let at = |direction: f64| {
+                let state = [
+                    q + direction * 1e-7,
+                    u + direction * 1e-2,
+                    x + direction * 1e-7,
+                    w + direction * 1e-2,
+                ];
                 look(pairs, contact, state, |it, at| (it.accelerations(at), it.slopes(at)))
             };
             let [(ahead, _), (behind, _), (_, slopes)] = [1.0, -1.0, 0.0].map(at);

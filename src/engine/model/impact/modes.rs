@@ -119,7 +119,7 @@ impl Event {
 pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
     let mut mode = HybridMode {
         contact: Contact::Penetrating,
-        hold: if setup.still { PlateConstraint::Mount } else { PlateConstraint::Free },
+        hold: if setup.is_rigid_mount { PlateConstraint::Mount } else { PlateConstraint::Free },
         held_m: setup.held_m(),
         is_pressed: false,
         piece: setup.geometry.piece(0.0),
@@ -414,14 +414,15 @@ pub(super) fn update_direction(setup: &ImpactParameters, mode: &mut HybridMode, 
     let equations = Equations { setup, mode };
     let (behind, ahead) = equations.knots_m();
     let is_at_rest = state.w_m_s == 0.0;
-    let way = if is_at_rest { sign(equations.accelerations(state).1) } else { sign(state.w_m_s) };
-    if is_at_rest && way != 0.0 {
-        mode.w_side = way;
+    let direction =
+        if is_at_rest { sign(equations.accelerations(state).1) } else { sign(state.w_m_s) };
+    if is_at_rest && direction != 0.0 {
+        mode.w_side = direction;
     }
     // There is no piece beyond an infinite end, even if the displacement overflows.
-    if way > 0.0 && state.x_m >= ahead && ahead.is_finite() {
+    if direction > 0.0 && state.x_m >= ahead && ahead.is_finite() {
         mode.stretch += 1;
-    } else if way < 0.0 && state.x_m <= behind && behind.is_finite() {
+    } else if direction < 0.0 && state.x_m <= behind && behind.is_finite() {
         mode.stretch -= 1;
     }
 }
@@ -594,12 +595,12 @@ mod tests {
         ));
         assert_eq!((mode.contact, state.u_m_s.to_bits()), (Contact::Fused, 0));
         assert!((state.w_m_s - 50.0).abs() < 1e-13);
-        let still = first(&ImpactParameters::from_scene(
+        let is_rigid_mount = first(&ImpactParameters::from_scene(
             &scene_with("mount=rigid model=initial-velocity"),
             1e-12,
         ))
         .1;
-        assert_eq!(still.w_m_s.to_bits(), 0);
+        assert_eq!(is_rigid_mount.w_m_s.to_bits(), 0);
         let state = [4e-3, -90.0, 1e-4, 95.0];
         let pairs = "gamma=1 model=half-sine";
         let (mode, state) = after_event(pairs, Contact::Withdrawing, Event::HistoryEnd, state);

@@ -54,7 +54,7 @@ pub(super) struct ImpactParameters {
     /// Whether the interface can slip after the first arrest.
     pub(super) plastic: bool,
     /// Whether the mount is rigid.
-    pub(super) still: bool,
+    pub(super) is_rigid_mount: bool,
     /// Integration method.
     pub(super) stepping: IntegrationMethod,
     /// Relative tolerance of the local error.
@@ -113,7 +113,7 @@ impl ImpactParameters {
             start_m_s,
             closing_m_s,
             plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
-            still: !scene.is_sprung(),
+            is_rigid_mount: !scene.is_sprung(),
             stepping: IntegrationMethod::Collocation(tolerance),
             tolerance,
             initial_kinetic_j: [
@@ -195,7 +195,7 @@ impl ImpactParameters {
 
     /// Returns `true` if the plate starts at rest at a singular zero of its spring or damper.
     pub(super) fn starts_steep(&self) -> bool {
-        let is_at_zero = !self.still
+        let is_at_zero = !self.is_rigid_mount
             && (self.start_m, self.start_m_s) == (0.0, 0.0)
             && self.spring.force(0.0) == 0.0;
         is_at_zero && self.spring.is_steep_at_zero() && self.law != ContactLaw::AtOnce
@@ -203,7 +203,7 @@ impl ImpactParameters {
 
     /// Returns `true` if the plate is at its stop or beyond at first contact.
     pub(super) fn starts_on_stop(&self) -> bool {
-        !self.still && self.start_m >= self.stop_at_m
+        !self.is_rigid_mount && self.start_m >= self.stop_at_m
     }
 
     /// Returns the position of a rigid stop, m; infinite without one.

@@ -329,8 +329,8 @@ mod tests {
     /// nowhere.
     #[test]
     fn a_plate_approaches_no_zero_by_what_its_velocity_is_off_by() {
-        let is_near_s = |part: f64, within_s: f64| {
-            let state = [5e-3, 0.0, -1e-3, 1e-4 * (1.0 + part)];
+        let is_near_s = |fraction: f64, within_s: f64| {
+            let state = [5e-3, 0.0, -1e-3, 1e-4 * (1.0 + fraction)];
             look("k=1e5 b=1e4 m=0.5", Contact::Fused, state, |it, at| it.approach_s(at) < within_s)
         };
         assert!(!is_near_s(1e-12, f64::INFINITY) && is_near_s(1e-3, 1e-3));

@@ -183,7 +183,7 @@ impl Recorder {
             };
             self.peak_contact_n = larger(peak_n, self.peak_contact_n);
         }
-        if equations.is_touching() && !equations.setup.still {
+        if equations.is_touching() && !equations.setup.is_rigid_mount {
             let mount_n = |state: &State| equations.mount_n(state).abs();
             let known_n = self.loads.mount_n;
             self.loads.mount_n = larger(peak_n(equations, path, known_n, mount_n), known_n);
@@ -196,15 +196,15 @@ impl Recorder {
     fn note_mechanism(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         let force_n = |state: &State| equations.mechanism_n(state.x_m, state.w_m_s);
         let known_n = self.loads.known_n(equations, path.end());
-        let greatest_n = array::from_fn(|way| {
-            peak_n(equations, path, known_n[way], |state| {
-                COMPRESSION_TENSION_SIGNS[way] * force_n(state)
+        let greatest_n = array::from_fn(|direction| {
+            peak_n(equations, path, known_n[direction], |state| {
+                COMPRESSION_TENSION_SIGNS[direction] * force_n(state)
             })
         });
-        let first_s = |way: usize| {
+        let first_s = |direction: usize| {
             let gap_n = |state: &State| {
-                equations.limit_load_ratios()[way] * equations.strength_n(path.end())
-                    - COMPRESSION_TENSION_SIGNS[way]
+                equations.limit_load_ratios()[direction] * equations.strength_n(path.end())
+                    - COMPRESSION_TENSION_SIGNS[direction]
                         * (equations.setup.interface_fraction() * force_n(state)
                             + equations.carried_weight_n())
             };
@@ -214,7 +214,7 @@ impl Recorder {
                 EventSearch::Nothing | EventSearch::Unresolved(_) => path.end().t_s,
             }
         };
-        self.note_loads(equations, path.end(), greatest_n, |way| Some(first_s(way)));
+        self.note_loads(equations, path.end(), greatest_n, |direction| Some(first_s(direction)));
     }
 
     /// Records the peak forces of the mechanism forwards and backwards, N, and if known the time at which they first exceed the limit loads
@@ -235,18 +235,18 @@ impl Recorder {
             loads.no_strength = true;
             return;
         }
-        for (way, holds) in equations.limit_load_ratios().into_iter().enumerate() {
-            let carried_n = COMPRESSION_TENSION_SIGNS[way] * equations.carried_weight_n();
-            let load_n = equations.setup.interface_fraction() * most_n[way] + carried_n;
+        for (direction, holds) in equations.limit_load_ratios().into_iter().enumerate() {
+            let carried_n = COMPRESSION_TENSION_SIGNS[direction] * equations.carried_weight_n();
+            let load_n = equations.setup.interface_fraction() * most_n[direction] + carried_n;
             let ratio = load_n / strength_n;
-            let known = &mut self.loads.ratios.get_or_insert_default()[way];
+            let known = &mut self.loads.ratios.get_or_insert_default()[direction];
             *known = larger(ratio, *known);
-            let is_new = !equations.setup.plastic && self.loads.exceeded_s[way].is_none();
+            let is_new = !equations.setup.plastic && self.loads.exceeded_s[direction].is_none();
             if is_new
                 && ratio > holds
-                && let Some(t_s) = first_s(way)
+                && let Some(t_s) = first_s(direction)
             {
-                self.loads.exceeded_s[way] = Some(t_s);
+                self.loads.exceeded_s[direction] = Some(t_s);
                 self.note(t_s, EventKind::InterfaceExceeded);
             }
         }
@@ -422,9 +422,9 @@ impl Loads {
                 let per_ratio_n = strength_n / equations.setup.interface_fraction();
                 let ratios = self.ratios.unwrap_or_default();
                 let carried_n = equations.carried_weight_n() / equations.setup.interface_fraction();
-                array::from_fn(|way| {
-                    let by_interface_n =
-                        ratios[way] * per_ratio_n - COMPRESSION_TENSION_SIGNS[way] * carried_n;
+                array::from_fn(|direction| {
+                    let by_interface_n = ratios[direction] * per_ratio_n
+                        - COMPRESSION_TENSION_SIGNS[direction] * carried_n;
                     smaller(by_interface_n, self.mount_n)
                 })
             }
@@ -466,8 +466,8 @@ fn peak_n(
         && equations.mode.hold == PlateConstraint::Free
         && equations.setup.turning_kg == 0.0
     {
-        let extreme = |way: f64| {
-            let beyond = |most: &&State, state: &State| way * (state.x_m - most.x_m) > 0.0;
+        let extreme = |direction: f64| {
+            let beyond = |most: &&State, state: &State| direction * (state.x_m - most.x_m) > 0.0;
             let first = &path.looks[0];
             path.looks.iter().fold(first, |most, it| if beyond(&most, it) { it } else { most })
         };
@@ -486,17 +486,21 @@ mod tests {
     #[test]
     fn valid_an_excess_is_noted_where_the_force_exceeds_the_strength() {
         let strength_n = std::f64::consts::PI / 300.0 * (0.0127 - 0.01 / 3.0) * 1.52e8;
-        for (way, (far_m, holds)) in [(4e-3, 1.0), (-4e-3, 0.1)].into_iter().enumerate() {
+        for (direction, (far_m, holds)) in [(4e-3, 1.0), (-4e-3, 0.1)].into_iter().enumerate() {
             let at = |s: f64| State { t_s: s, q_m: 5e-3, x_m: far_m * s, ..State::default() };
             let record = look("gamma=1 k=1e7", Contact::Fused, [0.0; 4], |equations, _| {
                 let mut record = Recorder::default();
                 record.step(equations, &DenseOutput::new(&at));
                 record
             });
-            let t_s = record.loads.exceeded_s[way].unwrap();
+            let t_s = record.loads.exceeded_s[direction].unwrap();
             assert!(is_near(t_s, holds * strength_n / (5e6 * 4e-3), 1e-9));
             assert_eq!(record.events, [Event { t_s, kind: EventKind::InterfaceExceeded }]);
-            assert!(is_near(record.loads.ratios.unwrap()[way], 5e6 * 4e-3 / strength_n, 1e-13));
+            assert!(is_near(
+                record.loads.ratios.unwrap()[direction],
+                5e6 * 4e-3 / strength_n,
+                1e-13
+            ));
             assert!(is_near(record.loads.mount_n, 1e7 * 4e-3, 1e-13));
         }
     }

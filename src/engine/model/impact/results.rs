@@ -28,7 +28,7 @@ const REACHED: f64 = 1e-9;
 const DRIFT: f64 = 1e-8;
 
 /// Work of the weight above which a warning is given if it is not included, relative to the energy of the impact.
-const WEIGHT_SHARE: f64 = 0.02;
+const WEIGHT_FRACTION: f64 = 0.02;
 
 /// Number of contact changes after which the depth of a slipping projectile is given as an interval. The remaining uncertainty decreases
 /// with the square of the number.
@@ -247,7 +247,7 @@ impl ImpactRun<'_> {
         let spring = &self.setup.spring;
         let inertia = Inertia::from_scene(self.scene);
         let ends = max_displacement_m
-            .filter(|_| !self.setup.still)
+            .filter(|_| !self.setup.is_rigid_mount)
             .map(|far_m| [self.setup.start_m, far_m]);
         let stress_at = |x_m: f64| load::stress_ratio(self.scene, x_m);
         let stress = ends.and_then(|[from, to]| Some(larger(stress_at(from)?, stress_at(to)?)));
@@ -265,7 +265,7 @@ impl ImpactRun<'_> {
             yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
             added_kg: positive(inertia.added_kg),
             spring_mass_kg: inertia.spring_mass_kg,
-            peak_mount_n: (!self.setup.still).then_some(self.record.loads.mount_n),
+            peak_mount_n: (!self.setup.is_rigid_mount).then_some(self.record.loads.mount_n),
             rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
         }
     }
@@ -296,7 +296,8 @@ impl ImpactRun<'_> {
         ];
         let far_m = run.max_plate_displacement_m.unwrap_or(self.record.farthest_m);
         let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
-        let limits = load::exceeded(scene, at_m).map(RunWarning::Limit).filter(|_| !setup.still);
+        let limits =
+            load::exceeded(scene, at_m).map(RunWarning::Limit).filter(|_| !setup.is_rigid_mount);
         // Effects that the contact model does not include.
         let depth_m = run.final_penetration_m.filter(|_| !self.flows());
         let is_through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);
@@ -305,7 +306,7 @@ impl ImpactRun<'_> {
         let Target { tensile_pa, yield_pa, .. } = scene.target;
         let no_hardening = RunWarning::NoHardening { tensile_pa, yield_pa };
         let is_moving = outcome == Outcome::Moving || at_least != AtLeast::default();
-        let by_weight = run.weight_share().filter(|share| *share > WEIGHT_SHARE);
+        let by_weight = run.weight_fraction().filter(|fraction| *fraction > WEIGHT_FRACTION);
         let omitted_weight = by_weight.filter(|_| !scene.projectile.weight);
         let notes = [
             is_through.then_some(RunWarning::NotModelled(NotModelled::RearFace)),
@@ -313,7 +314,7 @@ impl ImpactRun<'_> {
             scene.lacks_hardening().then_some(no_hardening).filter(|_| self.flows()),
             (setup.shears() && outcome != Outcome::Perforated).then_some(RunWarning::PlugStopped),
             setup.law.overruns(first_arrest.map(|arrest| arrest.t_s)),
-            omitted_weight.map(|share| RunWarning::WeightOmitted { share }),
+            omitted_weight.map(|fraction| RunWarning::WeightOmitted { fraction }),
             // No warning for a stack, where the projectile hits the next plate, or for a model without depth.
             (baseline_penetration_m.is_none() && self.flows() && !scene.is_stack())
                 .then_some(RunWarning::NoBaseline),
@@ -335,7 +336,7 @@ impl ImpactRun<'_> {
         let spring = &setup.spring;
         let whole = |law: PowerLaw| !law.is_absent() && matches!(law.exponent, 1.0 | 2.0 | 3.0);
         let rows = [
-            (setup.still, "plate motion"),
+            (setup.is_rigid_mount, "plate motion"),
             (spring.is_absent(), "spring"),
             (setup.damper.is_absent(), "damper"),
             (!setup.has_stop(), "stop"),
@@ -371,7 +372,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let max_plate_displacement_m = course.max_displacement_m();
     let is_bounded = course.decided.is_none_or(|(_, far_m)| far_m.is_finite());
     // On a rigid mount both depths are identical.
-    let is_own = course.setup.still && !course.flows();
+    let is_own = course.setup.is_rigid_mount && !course.flows();
     let baseline_m = final_penetration_m.filter(|_| is_own).or_else(|| course.baseline_m());
     let series = std::mem::take(&mut course.record.series);
     let mut events = std::mem::take(&mut course.record.events);

@@ -284,7 +284,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                 return None;
             }
         };
-        let at = |part: f64| law.state(part * h_s, &step.at(part));
+        let at = |fraction: f64| law.state(fraction * h_s, &step.at(fraction));
         let path = DenseOutput::new(&at);
         let of_event = |event: &Event| {
             let mut gaps =
@@ -295,8 +295,9 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             gaps
         };
         let gaps: Vec<_> = events.iter().map(of_event).collect();
-        let gap =
-            |part: f64, which: usize| event_function(equations, events[which], &path.at(part));
+        let gap = |fraction: f64, which: usize| {
+            event_function(equations, events[which], &path.at(fraction))
+        };
         let found = first_crossing(&gaps, gap);
         match found {
             EventSearch::Nothing => {
@@ -370,7 +371,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             if comes_first {
                 return Err(0.5 * h_s);
             }
-            self.course.record.step(equations, &DenseOutput::new(&|part| at(part * theta)));
+            self.course.record.step(equations, &DenseOutput::new(&|fraction| at(fraction * theta)));
             return Ok(state);
         }
         Err(0.5 * h_s)

@@ -46,8 +46,8 @@ pub(super) fn look<T>(
     look(&Equations { setup: &setup, mode: &mode }, &state)
 }
 
-pub(super) fn is_near(value: f64, exact: f64, part: f64) -> bool {
-    (value - exact).abs() <= part * exact.abs()
+pub(super) fn is_near(value: f64, exact: f64, fraction: f64) -> bool {
+    (value - exact).abs() <= fraction * exact.abs()
 }
 
 /// On a free plate of the projectile's mass u = v cos(pi t/T): common velocity after half of the history, at a travel of v T/pi, and
@@ -222,7 +222,7 @@ fn by_equal_steps(
             let kg = if is_sheared { plug_kg } else { 0.0 };
             [y[1], -force / (m_p + kg), y[3], (force - k * y[2] - b * y[3]) / (m_2 - kg)]
         };
-        let ahead = |d: [f64; 4], part: f64| std::array::from_fn(|i| y[i] + part * d[i]);
+        let ahead = |d: [f64; 4], fraction: f64| std::array::from_fn(|i| y[i] + fraction * d[i]);
         let k1 = rate(y);
         let k2 = rate(ahead(k1, 0.5 * h));
         let k3 = rate(ahead(k2, 0.5 * h));
@@ -356,8 +356,9 @@ fn lumped_by_equal_steps(
             let plate = (contact - stiffness * x - damper) / plate_kg;
             [u, -contact / projectile_kg - plate, w, plate]
         };
-        let moved =
-            |by: [f64; 4], part: f64| std::array::from_fn(|i| at[i] + part * step_s * by[i]);
+        let moved = |by: [f64; 4], fraction: f64| {
+            std::array::from_fn(|i| at[i] + fraction * step_s * by[i])
+        };
         let first = slope(at);
         let second = slope(moved(first, 0.5));
         let third = slope(moved(second, 0.5));

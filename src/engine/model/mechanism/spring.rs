@@ -172,12 +172,12 @@ impl Spring {
     /// Returns the displacement that a plate reaches from x with a total energy, forward (1) or backward (-1), m; infinite if the spring
     /// does not stop it.
     #[inline]
-    pub fn reach(&self, x: f64, energy_j: f64, way: f64) -> f64 {
+    pub fn reach(&self, x: f64, energy_j: f64, direction: f64) -> f64 {
         if let Self::Power(law) = self {
-            return way * law.at_integral(energy_j);
+            return direction * law.at_integral(energy_j);
         }
         let missing = |x: f64| self.energy(x) - energy_j;
-        self.first_place(x, way, |missing| missing > 0.0, missing)
+        self.first_place(x, direction, |missing| missing > 0.0, missing)
     }
 
     /// Returns the first position from x in a direction at which a function, monotone between stations, becomes zero; x if it is already
@@ -185,17 +185,17 @@ impl Spring {
     fn first_place(
         &self,
         x: f64,
-        way: f64,
+        direction: f64,
         is_past: impl Fn(f64) -> bool,
         function: impl Fn(f64) -> f64,
     ) -> f64 {
         let (stations_m, scale_m) = self.stations_m();
-        let is_ahead = |at: &f64| way * (at - x) > 0.0;
+        let is_ahead = |at: &f64| direction * (at - x) > 0.0;
         let mut ahead: Vec<f64> = stations_m.iter().copied().filter(is_ahead).collect();
-        ahead.sort_by(|a, b| (way * a).total_cmp(&(way * b)));
+        ahead.sort_by(|a, b| (direction * a).total_cmp(&(direction * b)));
         let last = ahead.last().copied().unwrap_or(x);
         // Distances 1, 3, 7, ... in characteristic lengths.
-        let beyond = (1..=DOUBLINGS).map(|i| last + way * scale_m * (2f64.powi(i) - 1.0));
+        let beyond = (1..=DOUBLINGS).map(|i| last + direction * scale_m * (2f64.powi(i) - 1.0));
         let mut from = x;
         for to in ahead.into_iter().chain(beyond) {
             if is_past(function(to)) {
@@ -203,15 +203,16 @@ impl Spring {
                     from
                 } else if from == 0.0 && self.is_steep_at_zero() {
                     // Near a singular zero the root is bracketed in the logarithm of the position.
-                    let log = |l: f64| function(way * l.exp());
-                    way * bracketed_root(f64::MIN_POSITIVE.ln(), (way * to).ln(), log).exp()
+                    let log = |l: f64| function(direction * l.exp());
+                    direction
+                        * bracketed_root(f64::MIN_POSITIVE.ln(), (direction * to).ln(), log).exp()
                 } else {
                     bracketed_root(from, to, function)
                 };
             }
             from = to;
         }
-        way * f64::INFINITY
+        direction * f64::INFINITY
     }
 
     /// Returns the next equilibrium in forward direction for a plate that is driven forward at x, m; x if it is not, infinite without an

@@ -75,7 +75,7 @@ pub enum RunWarning {
     NoBaseline,
     NoHardening { tensile_pa: Option<f64>, yield_pa: f64 },
     PlugStopped,
-    WeightOmitted { share: f64 },
+    WeightOmitted { fraction: f64 },
     Overruns { t_s: f64, duration_s: f64 },
     NotModelled(NotModelled),
     Limit(Limit),
@@ -246,11 +246,11 @@ impl RunWarning {
                 no_hardening(tensile_pa, yield_pa),
                 ": the plate is taken not to harden (n = 0)".to_owned(),
             ),
-            Self::WeightOmitted { share } => (
+            Self::WeightOmitted { fraction } => (
                 "a shot that falls presses on by its weight, which is not counted".to_owned(),
                 format!(
                     ": along the stroke {} % of the impact's energy (unconservative); set weight = on",
-                    significant(100.0 * share, 2)
+                    significant(100.0 * fraction, 2)
                 ),
             ),
             Self::PlugStopped => owned((

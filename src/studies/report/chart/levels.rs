@@ -76,8 +76,8 @@ mod tests {
         for (lo, hi) in [(0.0, 1.0), (56.0, 97.5), (-3.0, 1e-3), (5.0, 5.0), (1e-9, 1e9)] {
             let levels = Levels::from_values([lo, hi]).unwrap();
             assert!((1..=BANDS_MAX).contains(&levels.bands()), "{levels:?}");
-            for share in [0.0, 0.1, 0.5, 0.99, 1.0] {
-                let value = lo + (hi - lo) * share;
+            for fraction in [0.0, 0.1, 0.5, 0.99, 1.0] {
+                let value = lo + (hi - lo) * fraction;
                 let (from, to) = levels.band(levels.index(value));
                 let slack = 1e-9 * (hi - lo).abs() + 1e-12 * value.abs();
                 assert!(from <= value + slack && value <= to + slack, "{levels:?} {value}");

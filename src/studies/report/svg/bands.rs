@@ -19,9 +19,9 @@ const BANDS: [(u8, u8, u8); 6] =
 fn band_colour(number: usize, count: usize) -> String {
     let place = (number as f64 + 0.5) / count as f64 * (BANDS.len() - 1) as f64;
     let lower = (0..BANDS.len() - 2).rev().find(|at| *at as f64 <= place).unwrap_or(0);
-    let share = place - lower as f64;
+    let fraction = place - lower as f64;
     let (from, to) = (BANDS[lower], BANDS[lower + 1]);
-    let mix = |from: u8, to: u8| f64::from(from) + share * (f64::from(to) - f64::from(from));
+    let mix = |from: u8, to: u8| f64::from(from) + fraction * (f64::from(to) - f64::from(from));
     let (red, green, blue) = (mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2));
     format!("rgb({red:.0},{green:.0},{blue:.0})")
 }
@@ -158,9 +158,9 @@ fn contour(plot: Plot<'_>, map: &Map<'_>, value: f64) -> String {
             }
             let crossing = |side: usize| {
                 let ((x, y, over), (to_x, to_y, to)) = (corners[side], corners[(side + 1) % 4]);
-                let share = over / (over - to);
+                let fraction = over / (over - to);
                 ((over > 0.0) != (to > 0.0)).then(|| {
-                    let (x, y) = (x + share * (to_x - x), y + share * (to_y - y));
+                    let (x, y) = (x + fraction * (to_x - x), y + fraction * (to_y - y));
                     (plot.left + width * x, plot.bottom - height * y)
                 })
             };

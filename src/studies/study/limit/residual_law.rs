@@ -76,8 +76,8 @@ impl ResidualLaw {
 fn shape(v: f64, p: f64, limit: f64) -> f64 {
     // `powf` with exponent 2 or 1/2 may have a rounding error; a product or a square root is exact to half a unit in the last place.
     let is_square = p - 2.0 == 0.0;
-    let part = limit / v;
-    let ratio = if is_square { part * part } else { part.powf(p) };
+    let fraction = limit / v;
+    let ratio = if is_square { fraction * fraction } else { fraction.powf(p) };
     let left = 1.0 - ratio;
     let root = if is_square { left.sqrt() } else { left.powf(1.0 / p) };
     if ratio < 1.0 { v * root } else { 0.0 }

@@ -262,10 +262,10 @@ impl ShotRunner<'_, '_, '_> {
         let velocities: Vec<f64> = match limit {
             Limit::Found { velocity_m_s, .. } => {
                 let (from, to) = CURVE;
-                let share = |i: usize, n: usize| i as f64 / n as f64;
-                let below = (0..BELOW).map(|i| from + (1.0 - from) * share(i, BELOW));
+                let fraction = |i: usize, n: usize| i as f64 / n as f64;
+                let below = (0..BELOW).map(|i| from + (1.0 - from) * fraction(i, BELOW));
                 // The curve is steepest at the limit.
-                let above = (1..=ABOVE).map(|i| 1.0 + (to - 1.0) * share(i, ABOVE).powi(2));
+                let above = (1..=ABOVE).map(|i| 1.0 + (to - 1.0) * fraction(i, ABOVE).powi(2));
                 below.chain(above).map(|times| times * velocity_m_s).collect()
             }
             Limit::Never | Limit::Always => {

@@ -252,8 +252,8 @@ impl<'c> Expectation<'c> {
             return (angle_deg <= larger(own.angle_deg[1], from)).then(|| of(own));
         }
         let normal = of(class(Key { is_oblique: false, ..key })?);
-        let (oblique, share) = (of(own), (angle_deg - from) / (to - from));
-        let between = |a: f64, b: f64| a + share * (b - a);
+        let (oblique, fraction) = (of(own), (angle_deg - from) / (to - from));
+        let between = |a: f64, b: f64| a + fraction * (b - a);
         Some(Self {
             class: own,
             bias: between(normal.bias, oblique.bias),

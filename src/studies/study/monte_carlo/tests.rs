@@ -27,16 +27,16 @@ fn valid_quantiles_through_a_monotone_closed_form() {
     let report = sampled(&scene, &task(vec![velocity], &["final_penetration_m"], 20_000));
     let summary = &report.summaries[0];
     // Standard normal quantiles, Abramowitz and Stegun table 26.5.
-    for (share, z) in [(0.01, -2.326_348), (0.25, -0.674_490), (0.5, 0.0), (0.95, 1.644_854)] {
+    for (fraction, z) in [(0.01, -2.326_348), (0.25, -0.674_490), (0.5, 0.0), (0.95, 1.644_854)] {
         let v = mean + deviation * z;
         let (s, c) = (scene.target.flow_strength_pa, scene.drag_kg_m3());
         let volume = scene.projectile.mass_kg / (2.0 * c) * (c * v * v / s).ln_1p();
         let depth = depth_of(&scene, volume);
-        let found = summary.quantile(share).unwrap();
+        let found = summary.quantile(fraction).unwrap();
         assert!(found.low_95 < found.value && found.value < found.high_95);
         // Check with twice the interval; 95 % of the intervals contain the exact value.
         let width = found.high_95 - found.low_95;
-        assert!((found.value - depth).abs() < width, "{share}: {found:?} {depth}");
+        assert!((found.value - depth).abs() < width, "{fraction}: {found:?} {depth}");
         assert!(width < 0.02 * depth);
     }
     assert_eq!((report.samples, report.outcomes.count(Outcome::Arrested)), (20_000, 20_000));
@@ -83,8 +83,8 @@ fn what_is_impossible_is_drawn_again_and_counted() {
     let report = sampled(&rigid(), &task(vec![thickness], &["percent_of_baseline"], 2000));
     // A normal variable with its mean one deviation above zero is negative in 15.87 % of draws, so there are 0.1886 repeated draws per
     // sample.
-    let share = report.redrawn[0] as f64 / 2000.0;
-    assert!((share - 0.1886).abs() < 0.04, "{share}");
+    let fraction = report.redrawn[0] as f64 / 2000.0;
+    assert!((fraction - 0.1886).abs() < 0.04, "{fraction}");
     assert_eq!(report.samples, 2000);
 }
 

@@ -222,8 +222,8 @@ impl Search {
     fn run(mut self, context: &mut Context<'_, FrontReport>) -> FrontReport {
         let (inputs, samples) = (self.plan.axes().len(), self.front.request.samples);
         // The scene itself is the first design, if it is within the bounds.
-        let share = |axis: &Axis| axis.share(axis.get(&self.front.base)?);
-        let own: Option<Vec<f64>> = self.plan.axes().iter().map(share).collect();
+        let fraction = |axis: &Axis| axis.fraction(axis.get(&self.front.base)?);
+        let own: Option<Vec<f64>> = self.plan.axes().iter().map(fraction).collect();
         let best = sampling::search(inputs, own, samples, &mut |points, best| {
             self.front.designs = self.designs(best);
             context.show(&self.front).then(|| self.judged(points, context))?
@@ -248,7 +248,7 @@ impl Search {
         points: &[Vec<f64>],
         context: &mut Context<'_, FrontReport>,
     ) -> Option<Vec<(Evaluation, Point)>> {
-        let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
+        let designs: Vec<Vec<f64>> = points.iter().map(|fractions| self.place(fractions)).collect();
         let found = self.plan.evaluate(&designs, context);
         let mut judged: Vec<Evaluation> = found.iter().map(|found| self.judge(found)).collect();
         self.front.runs += found.len();
@@ -324,15 +324,15 @@ impl Search {
     }
 
     /// Returns the values of the variables at a point of the unit cube.
-    fn place(&self, shares: &[f64]) -> Vec<f64> {
+    fn place(&self, fractions: &[f64]) -> Vec<f64> {
         let axes = self.plan.axes().iter();
-        axes.zip(shares).map(|(axis, share)| axis.at_share(*share)).collect()
+        axes.zip(fractions).map(|(axis, fraction)| axis.at_fraction(*fraction)).collect()
     }
 
     fn designs(&self, best: &[Sample<Point>]) -> Vec<Design> {
         let design = |one: &Sample<Point>| {
             let Point { outcome, values, .. } = one.found.clone();
-            Design { values: self.place(&one.shares), measures: values, outcome, plastic: None }
+            Design { values: self.place(&one.fractions), measures: values, outcome, plastic: None }
         };
         let first = |design: &Design| design.measures[0].unwrap_or(f64::NAN);
         sorted_by(sampling::front(best).into_iter().map(design).collect(), first)

@@ -50,7 +50,7 @@ impl Evaluation {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample<T> {
     /// Coordinates, 0 to 1.
-    pub shares: Vec<f64>,
+    pub fractions: Vec<f64>,
     /// Result.
     pub judged: Evaluation,
     /// Further data of the caller.
@@ -82,7 +82,7 @@ pub fn search<T>(
     for round in 0..=ROUNDS {
         let Some(judged) = function(&points, &best) else { break };
         let found = points.drain(..).zip(judged);
-        best.extend(found.map(|(shares, (judged, found))| Sample { shares, judged, found }));
+        best.extend(found.map(|(fractions, (judged, found))| Sample { fractions, judged, found }));
         best = fittest(best);
         // Each box has its own part of the sequence.
         let count = (evaluations - first) / ROUNDS;
@@ -90,11 +90,11 @@ pub fn search<T>(
         points.extend((0..count).map(|at| {
             let (centre, place) = (at % best.len(), at / best.len());
             let index = ((round * best.len() + centre) * each + place) as u64;
-            let side = |(input, share): (usize, &f64)| {
-                (share + reach * (2.0 * sobol::point_coordinate(index, input, 0) - 1.0))
+            let side = |(input, fraction): (usize, &f64)| {
+                (fraction + reach * (2.0 * sobol::point_coordinate(index, input, 0) - 1.0))
                     .clamp(0.0, 1.0)
             };
-            best[centre].shares.iter().enumerate().map(side).collect()
+            best[centre].fractions.iter().enumerate().map(side).collect()
         }));
         reach *= SHRINK;
     }

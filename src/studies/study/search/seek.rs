@@ -168,23 +168,25 @@ pub fn run(
     let scan = usize::try_from(axis.count()).unwrap_or(usize::MAX);
     let mut runs = 0;
     let mut outcomes: Vec<(f64, PointOutcome)> = Vec::new();
-    let mut function = |shares: &[f64]| {
+    let mut function = |fractions: &[f64]| {
         let designs: Vec<Vec<f64>> =
-            shares.iter().map(|share| vec![axis.at_share(*share)]).collect();
+            fractions.iter().map(|fraction| vec![axis.at_fraction(*fraction)]).collect();
         // Estimate for one or two solutions.
         context.expect(if runs < scan { scan + 40 } else { 40 });
         let found = space.evaluate(&designs, context);
         runs += found.len();
-        outcomes.extend(shares.iter().zip(&found).map(|(share, found)| (*share, found.outcome)));
+        outcomes.extend(
+            fractions.iter().zip(&found).map(|(fraction, found)| (*fraction, found.outcome)),
+        );
         (!context.is_stopped()).then(|| found.iter().map(|found| found.values[0]).collect())
     };
     let mut root_scan = RootScan::new(goal.target, &mut function);
     // A stopped scan keeps its results so far.
     let _stopped = root_scan.run(scan);
     let RootScan { crossings, seen, scan: scanned, .. } = root_scan;
-    let place = |point: SamplePoint| SamplePoint { at: axis.at_share(point.at), ..point };
-    let outcome_at = |share: f64| {
-        let mut same = outcomes.iter().filter(|(other, _)| other.to_bits() == share.to_bits());
+    let place = |point: SamplePoint| SamplePoint { at: axis.at_fraction(point.at), ..point };
+    let outcome_at = |fraction: f64| {
+        let mut same = outcomes.iter().filter(|(other, _)| other.to_bits() == fraction.to_bits());
         same.next().map(|(_, outcome)| *outcome)
     };
     let (found, jumps): (Vec<Crossing>, Vec<Crossing>) =
@@ -203,7 +205,7 @@ pub fn run(
         let nearest = seen.iter().min_by(|a, b| miss(a).total_cmp(&miss(b)));
         lines.extend(nearest.map(|seen| SeekResult::new(Kind::Nearest, place(*seen))));
     }
-    let designs = found.iter().map(|it| space.scene_of(&[axis.at_share(it.from.at)]));
+    let designs = found.iter().map(|it| space.scene_of(&[axis.at_fraction(it.from.at)]));
     let mut check = |design: &Scene, known: &[Check]| {
         DesignValidity::from_run(design, goal.measure, known, &mut || context.should_continue())
     };
@@ -219,7 +221,10 @@ pub fn run(
         lines,
         checked,
         range: range(&seen).map(|(least, most)| (place(least), place(most))),
-        scan: scanned.iter().map(|(share, value)| (axis.at_share(*share), *value)).collect(),
+        scan: scanned
+            .iter()
+            .map(|(fraction, value)| (axis.at_fraction(*fraction), *value))
+            .collect(),
         runs,
     })
 }
@@ -234,7 +239,7 @@ fn gaps(
     let outcome = |point: &(f64, Option<f64>)| outcome_at(point.0).filter(|_| point.1.is_none());
     for points in scan.chunk_by(|a, b| outcome(a) == outcome(b)) {
         let ([first, ..], [.., last]) = (points, points) else { continue };
-        let place = |share: f64| SamplePoint { at: axis.at_share(share), value: f64::NAN };
+        let place = |fraction: f64| SamplePoint { at: axis.at_fraction(fraction), value: f64::NAN };
         gaps.extend(outcome(first).map(|outcome| SeekResult {
             until: Some(place(last.0)),
             outcome: Some(outcome),

@@ -219,21 +219,21 @@ impl Axis {
     }
 
     /// Returns the value at a fraction of the range, 0 to 1.
-    pub fn at_share(&self, share: f64) -> f64 {
+    pub fn at_fraction(&self, fraction: f64) -> f64 {
         if self.spacing() == Spacing::Listed {
             // Each value of a list has an equal part of the range.
             let (count, list) = (self.count() as f64, self.list());
-            let at = (1..list.len()).find(|at| share * count < *at as f64);
+            let at = (1..list.len()).find(|at| fraction * count < *at as f64);
             return list[at.unwrap_or(list.len()) - 1];
         }
-        self.between(share, 1.0 - share)
+        self.between(fraction, 1.0 - fraction)
     }
 
     /// Returns the fraction of the range at a value; `None` outside the range.
-    pub fn share(&self, value: f64) -> Option<f64> {
+    pub fn fraction(&self, value: f64) -> Option<f64> {
         let (from, to) = (self.place(self.range.from), self.place(self.range.to));
-        let share = (self.place(value) - from) / (to - from);
-        (0.0..=1.0).contains(&share).then_some(share)
+        let fraction = (self.place(value) - from) / (to - from);
+        (0.0..=1.0).contains(&fraction).then_some(fraction)
     }
 
     /// Returns a value on the scale of the spacing.
@@ -387,11 +387,11 @@ mod tests {
     fn a_share_and_its_value_belong_together() {
         for spacing in [Spacing::Linear, Spacing::Log] {
             for axis in [axis(1.0, 1e4, 41, spacing), axis(1e4, 1.0, 41, spacing)] {
-                for share in [0.0, 0.125, 0.7, 1.0] {
-                    let back = axis.share(axis.at_share(share)).unwrap();
-                    assert!((back - share).abs() < 1e-13, "{share} {back}");
+                for fraction in [0.0, 0.125, 0.7, 1.0] {
+                    let back = axis.fraction(axis.at_fraction(fraction)).unwrap();
+                    assert!((back - fraction).abs() < 1e-13, "{fraction} {back}");
                 }
-                assert!(axis.share(0.5).is_none() && axis.share(2e4).is_none());
+                assert!(axis.fraction(0.5).is_none() && axis.fraction(2e4).is_none());
             }
         }
     }

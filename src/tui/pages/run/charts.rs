@@ -37,8 +37,8 @@ const SETTLED: f64 = 1e-2;
 pub(crate) fn is_held(run: &Run) -> bool {
     let farthest = run.max_plate_displacement_m.map(f64::abs);
     let starts_at_zero = run.scene.start_m() == 0.0;
-    let share = farthest.zip(run.final_penetration_m).map(|(farthest, depth)| farthest / depth);
-    starts_at_zero && share.is_some_and(|share| share < HELD)
+    let fraction = farthest.zip(run.final_penetration_m).map(|(farthest, depth)| farthest / depth);
+    starts_at_zero && fraction.is_some_and(|fraction| fraction < HELD)
 }
 
 /// Returns the end time of the whole response, s. For a slowly returning plate, 1.5 times the time to settle to a hundredth of its path; if

@@ -96,8 +96,8 @@ impl Answer for MonteCarloReport {
         let y = Axis::over("", "%", Scale::Linear, highest.chain([0.0]));
         let Some((x, y)) = x.zip(y) else { return };
         let marks = [(0.05, "5 %"), (0.5, "median"), (0.95, "95 %")];
-        let marks = marks.into_iter().filter_map(|(share, tag)| {
-            summary.quantile(share).map(|quantile| Mark::new(quantile.value, tag))
+        let marks = marks.into_iter().filter_map(|(fraction, tag)| {
+            summary.quantile(fraction).map(|quantile| Mark::new(quantile.value, tag))
         });
         let curves = vec![Curve::new('*', "", &steps)];
         let chart = Chart {

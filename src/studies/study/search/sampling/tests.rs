@@ -97,8 +97,8 @@ fn valid_front_of_a_constrained_problem() {
 /// Problem g06 of the constrained test suite: optimum -6961.81388 at (14.095, 0.84296), in a sliver between two circles.
 #[test]
 fn valid_optimum_of_g06() {
-    let found = solve(2, |shares| {
-        let (x, y) = (13.0 + 87.0 * shares[0], 100.0 * shares[1]);
+    let found = solve(2, |fractions| {
+        let (x, y) = (13.0 + 87.0 * fractions[0], 100.0 * fractions[1]);
         let outside = 100.0 - (x - 5.0).powi(2) - (y - 5.0).powi(2);
         let inside = (x - 6.0).powi(2) + (y - 5.0).powi(2) - 82.81;
         (vec![(x - 10.0).powi(3) + (y - 20.0).powi(3)], outside.max(0.0) + inside.max(0.0))
@@ -114,7 +114,7 @@ fn points_without_a_value_lose_and_a_stop_keeps_the_round_before() {
         (vec![x[1] - x[0]], violation)
     });
     assert_eq!(holes.len(), 1);
-    assert!((holes[0].shares[0] - 0.5).abs() < 1e-3 && holes[0].shares[1] < 1e-3);
+    assert!((holes[0].fractions[0] - 0.5).abs() < 1e-3 && holes[0].fractions[1] < 1e-3);
     let mut calls = 0;
     let function: Function<'_, ()> = &mut |points, _| {
         calls += 1;
@@ -123,5 +123,5 @@ fn points_without_a_value_lose_and_a_stop_keeps_the_round_before() {
     };
     let kept = search(1, Some(vec![0.25]), 80, function);
     // The first twenty points of the sequence, one of them on the bound.
-    assert!(kept.len() == KEPT_LEAST && front(&kept)[0].shares == [0.0], "{kept:?}");
+    assert!(kept.len() == KEPT_LEAST && front(&kept)[0].fractions == [0.0], "{kept:?}");
 }

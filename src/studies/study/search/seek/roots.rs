@@ -63,9 +63,9 @@ impl<'f> RootScan<'f> {
     /// [`Stopped`]; the results so far are kept.
     pub fn run(&mut self, points: usize) -> Result<(), Stopped> {
         let last = points.max(2) - 1;
-        let shares: Vec<f64> = (0..=last).map(|at| at as f64 / last as f64).collect();
-        let values = self.values(&shares)?;
-        self.scan = shares.into_iter().zip(values).collect();
+        let fractions: Vec<f64> = (0..=last).map(|at| at as f64 / last as f64).collect();
+        let values = self.values(&fractions)?;
+        self.scan = fractions.into_iter().zip(values).collect();
         let known = || self.scan.iter().filter_map(|point| point.1);
         let (least, most) = known().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), v| {
             (if v < least { v } else { least }, if v > most { v } else { most })
@@ -81,9 +81,9 @@ impl<'f> RootScan<'f> {
         Ok(())
     }
 
-    fn values(&mut self, shares: &[f64]) -> Result<Vec<Option<f64>>, Stopped> {
-        let values = (self.function)(shares).ok_or(Stopped)?;
-        let known = shares.iter().zip(&values);
+    fn values(&mut self, fractions: &[f64]) -> Result<Vec<Option<f64>>, Stopped> {
+        let values = (self.function)(fractions).ok_or(Stopped)?;
+        let known = fractions.iter().zip(&values);
         self.seen.extend(
             known.filter_map(|(at, value)| Some(SamplePoint { at: *at, value: (*value)? })),
         );
@@ -171,9 +171,9 @@ impl<'f> RootScan<'f> {
             let (fa, fb) = (weight_a * self.off(a), weight_b * self.off(b));
             let secant = (a.at * fb - b.at * fa) / (fb - fa);
             let inside = (secant - a.at) * (secant - b.at) < 0.0;
-            let share = if inside && round % 3 != 2 { secant } else { 0.5 * (a.at + b.at) };
-            let Some(point) = self.look(share)? else {
-                return self.around(a, b, share);
+            let fraction = if inside && round % 3 != 2 { secant } else { 0.5 * (a.at + b.at) };
+            let Some(point) = self.look(fraction)? else {
+                return self.around(a, b, fraction);
             };
             let f = self.off(point);
             if f == 0.0 {
@@ -210,7 +210,8 @@ mod tests {
     use super::*;
 
     fn scan(f: impl Fn(f64) -> Option<f64>, target: f64, points: usize) -> Vec<Crossing> {
-        let function: Function<'_> = &mut |shares| Some(shares.iter().map(|s| f(*s)).collect());
+        let function: Function<'_> =
+            &mut |fractions| Some(fractions.iter().map(|s| f(*s)).collect());
         let mut scan = RootScan::new(target, function);
         scan.run(points).unwrap();
         scan.crossings
@@ -267,10 +268,10 @@ mod tests {
     #[test]
     fn a_function_full_of_holes_is_searched_to_an_end() {
         let mut looks = 0;
-        let function: Function<'_> = &mut |shares| {
-            looks += shares.len();
-            let value = |share: &f64| (9e15 * share * share).sin();
-            Some(shares.iter().map(value).map(|it| (it.abs() > 0.1).then_some(it)).collect())
+        let function: Function<'_> = &mut |fractions| {
+            looks += fractions.len();
+            let value = |fraction: &f64| (9e15 * fraction * fraction).sin();
+            Some(fractions.iter().map(value).map(|it| (it.abs() > 0.1).then_some(it)).collect())
         };
         RootScan::new(0.0, function).run(41).unwrap();
         assert!(looks < 41 + EDGES_MAX * (EDGE_STEPS + ROUNDS) + 40 * ROUNDS, "{looks}");

@@ -235,8 +235,8 @@ impl Grid {
         let length = (to.0 - from.0).abs().max((to.1 - from.1).abs()).ceil().clamp(1.0, 1e4);
         let steps = dot(length, 10_000).max(1);
         for step in 0..=steps {
-            let share = step as f64 / steps as f64;
-            let at = (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
+            let fraction = step as f64 / steps as f64;
+            let at = (from.0 + fraction * (to.0 - from.0), from.1 + fraction * (to.1 - from.1));
             if let (Some(x), Some(y)) = (whole(at.0, self.size.0), whole(at.1, self.size.1)) {
                 self.set(x, y, part);
             }
