@@ -106,7 +106,7 @@ fn valid_a_weight_that_is_not_counted_is_reported_where_it_matters() {
     for light in ["weight=on", "k=5e6", "mount=rigid"] {
         assert_eq!(fraction(&falling(light)), None, "{light}");
     }
-    assert_eq!(share(&run(scene("k=1e5"))), None);
+    assert_eq!(fraction(&run(scene("k=1e5"))), None);
     let (page, _) = says("explain", &["weight"], 0);
     assert!(page.contains("projectile.weight"), "{page}");
 }
