@@ -9,7 +9,7 @@
 //!
 //! 1. A [`scene::Scene`] holds the values; [`variables::VARIABLES`] describes each of them, [`units`] reads and writes them, and
 //!    [`library`] fills in threats, materials and absorbers. [`simulate::simulate`] begins with [`variables::validate`] and takes
-//!    [`impact::run`] for every model but the listing of the thesis's Appendix, which has a scheme of its own
+//!    `impact::run` for every model but the listing of the thesis's Appendix, which has a scheme of its own
 //!    (`appendix::listing`).
 //! 2. `impact::equations` derives the constants of the impact once (masses, [`contact::Geometry`], [`contact_models`],
 //!    [`mechanism::Mechanism`]) and has the motion: forces, accelerations and their derivatives. [`strength`] and [`plug`] contain the

@@ -40,8 +40,8 @@ const MIN_STEP_TOLERANCE: f64 = 1e-13;
 /// times as much as the first, so that only the errors of the longest runs stay unknown.
 const WORK_OF_BOTH: [usize; 2] = [5, 3];
 
-/// Simulate one impact on a valid scene.
-pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
+/// Simulates one impact on a valid scene; [`simulate`](super::simulate::simulate) checks it.
+pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let stepping = IntegrationMethod::Collocation(local_tolerance(scene));
     let run = run_by(scene, settings, stepping, observer);
     if settings.estimate && run.end.is_complete() {
@@ -79,11 +79,11 @@ fn with_estimate(mut run: Run, work_max: usize, observer: Observer<'_>) -> Run {
     run
 }
 
-/// Simulate one impact by this method, without series or error estimate. `None` of the listing of the Appendix, a scheme of its own.
-/// The observer may end it, as that of a run.
+/// Simulates one impact by a given method, without series or error estimate. `None` for the listing of the Appendix, which has a scheme of
+/// its own. The observer may cancel the run.
 ///
 /// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
+/// A [`VariableError`] if the scene is physically impossible.
 pub fn step_by(
     stepping: IntegrationMethod,
     scene: &Arc<Scene>,
