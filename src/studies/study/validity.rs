@@ -207,8 +207,13 @@ impl Plastic {
 
     /// Formats the result: `plastic: 5.269 mm`, `plastic: perforated`.
     pub fn message(&self, measure: &Quantity) -> String {
+        format!("plastic: {}", self.result(measure))
+    }
+
+    /// Formats the result alone: `5.269 mm`, `perforated`.
+    pub fn result(&self, measure: &Quantity) -> String {
         let shown = self.value.map(|value| measure.show(value, 4));
-        format!("plastic: {}", shown.unwrap_or_else(|| self.outcome.key().to_owned()))
+        shown.unwrap_or_else(|| self.outcome.key().to_owned())
     }
 }
 

@@ -40,20 +40,20 @@ impl Running {
     /// Formats the progress: `: 12 of 30 [###.....] 20 s left`; empty if unknown.
     pub fn counted(&self, of: &str, what: &str) -> String {
         let Some((done, total)) = self.points else { return String::new() };
-        let done = done.min(total);
-        let gauge = self.gauge(done, total).unwrap_or_default();
-        format!(": {done} {of} {total}{what}{gauge}")
+        let gauge = self.gauge(GAUGE).map_or_else(String::new, |gauge| format!(" {gauge}"));
+        format!(": {} {of} {total}{what}{gauge}", done.min(total))
     }
 
-    /// Formats the completed fraction as a bar, with the estimated remaining time; `None` if the task ends soon.
-    fn gauge(&self, done: usize, total: usize) -> Option<String> {
+    /// Formats the completed fraction as a bar of this many cells, with the estimated remaining time; `None` if the task ends soon.
+    pub fn gauge(&self, cells: usize) -> Option<String> {
+        let (done, total) = self.points.map(|(done, total)| (done.min(total), total))?;
         let elapsed = self.elapsed.filter(|it| *it >= GAUGE_FROM && done > 0)?;
-        let full = done * GAUGE / total.max(1);
-        let bar = "#".repeat(full) + &".".repeat(GAUGE - full);
+        let full = done * cells / total.max(1);
+        let bar = "#".repeat(full) + &".".repeat(cells - full);
         let left_s = elapsed.as_secs() * (total - done) as u64 / done as u64;
         let left =
             if left_s < 100 { format!("{left_s} s") } else { format!("{} min", left_s / 60) };
-        Some(format!(" [{bar}] {left} left"))
+        Some(format!("[{bar}] {left} left"))
     }
 }
 

@@ -139,6 +139,14 @@ impl Page for SearchTab {
         }
     }
 
+    fn is_of_use(&self, app: &App, action: Action) -> bool {
+        match action {
+            Action::Enter | Action::Mark if app.pane() == RESULTS => app.pages.search.choices() > 0,
+            Action::Down => self.rows(app).is_some_and(|rows| rows.count > 1),
+            _ => true,
+        }
+    }
+
     fn act(&self, app: &mut App, action: Action) -> bool {
         match action {
             Action::Run => search(app, Some(action)),
@@ -163,20 +171,19 @@ impl Page for SearchTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.search;
-        let running = app.searching(tab.page);
-        let answer = tab.answer().filter(|_| running.is_none());
+        if let Some(running) = app.searching(tab.page) {
+            let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
+            return vec![under_way(&format!("searching{counted}"))];
+        }
+        let answer = tab.answer();
         let own = answer.filter(|_| !app.search_is_old());
         let kept = &tab.results[tab.page as usize];
-        let first = match running {
-            Some(running) => {
-                let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
-                under_way(&format!("searching{counted}"))
-            }
-            None if answer.is_some() && own.is_none() => part(Severity::Warning, old("setup")),
-            None if own.is_some() && kept.is_complete() => part(Severity::Note, "done"),
-            None if own.is_some() => cut(kept, "runs"),
-            None if tab.problem().is_some() => part(Severity::Error, "this cannot be searched for"),
-            None => part(Severity::Note, NO_RESULTS),
+        let first = match (answer, own) {
+            (Some(_), None) => part(Severity::Warning, old("setup")),
+            (_, Some(_)) if kept.is_complete() => part(Severity::Note, "done"),
+            (_, Some(_)) => cut(kept, "runs"),
+            _ if tab.problem().is_some() => part(Severity::Error, "this cannot be searched for"),
+            _ => part(Severity::Note, NO_RESULTS),
         };
         let ends = own.into_iter().flat_map(Answer::outside_at_ends);
         let ends = outside_at_ends(ends.map(|it| it.0));
@@ -249,9 +256,9 @@ impl Page for SearchTab {
 pub(crate) fn hidden_lines(app: &App) -> usize {
     let Some(body) = app.layout().body else { return 0 };
     let (_, area) = panes(app, body);
-    let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
-    let below = app.pages.search.words_height(area.height, lines);
-    lines.saturating_sub(usize::from(below.saturating_sub(2)))
+    let words = app.search_words(usize::from(area.width.saturating_sub(2)));
+    let below = app.pages.search.words_height(area.height, &words);
+    words.count().saturating_sub(usize::from(below.saturating_sub(2)))
 }
 
 /// Repeats a goal seek after an edit of the setup or the scene.

@@ -219,8 +219,8 @@ fn a_click_on_a_row_of_results_selects_it_also_below_the_warnings_of_another() {
     let mut bench = search::open(GlyphSet::Ascii, (120, 40));
     bench.keys("<Tab>");
     let results = cmra::tui::pages::search::RESULTS;
-    let lines = bench.app.search_lines(84);
-    let solutions = lines.iter().filter(|line| line.0.starts_with(['>', ' '])).take(2);
+    let rows = bench.app.search_words(84).body;
+    let solutions = rows.iter().take(bench.app.pages.search.choices());
     let texts: Vec<String> = solutions.map(|line| line.0[2..30].to_owned()).collect();
     for (row, text) in texts.iter().enumerate() {
         let hit = target(&bench.app, find(&bench, text));

@@ -3,6 +3,7 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::time::Duration;
 
 use super::at_every_size;
 use super::bench::{Bench, Study, ended, stopped};
@@ -18,6 +19,7 @@ use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::{Page, Row};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{RequestVariant, SearchAnswer, SearchRequest, StudyResult};
+use cmra::worker::{JobProgress, ReportBody};
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
@@ -94,6 +96,47 @@ pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     bench
 }
 
+/// All studies have their gauge, their answer and their table in the same place.
+#[test]
+fn every_study_is_set_up_run_and_answered_on_the_same_page() {
+    for page in Page::ALL {
+        let mut bench = Bench::ascii(80, 24);
+        bench.app.pages.search.page = page;
+        bench.keys("4");
+        bench.studies();
+        let place = |bench: &Bench, text: &str| {
+            let screen = bench.screen();
+            let found = screen.lines().enumerate().find_map(|(row, line)| {
+                Some((row, line.find(text).map(|at| line[..at].chars().count())?))
+            });
+            found.unwrap_or_else(|| panic!("{page:?}: no {text} on\n{screen}"))
+        };
+        place(&bench, "r search");
+        bench.press("r");
+        let study = bench.studies().remove(0);
+        let (progress, elapsed) = (JobProgress::Points(25, 100), Duration::from_secs(4));
+        bench.reply(study.id, ReportBody::Progress { progress, elapsed });
+        // A quarter of 33 cells; three quarters of the work take three times as long.
+        assert_eq!(place(&bench, "[########........................."), (12, 30), "{page:?}");
+        place(&bench, "] 12 s left  ");
+        place(&bench, "searching: about 25 of 100 runs [##......] 12 s left (Esc cancels)");
+        bench.reply(study.id, ended(found(&study)));
+        place(&bench, "+- Setup -");
+        let (row, column) = place(&bench, &format!("+- {} -", page.title()));
+        assert_eq!(column, 27, "{page:?}");
+        let words = bench.app.search_words(51);
+        let lines: Vec<String> = bench.screen().lines().map(str::to_owned).collect();
+        for (line, (text, _)) in lines[row + 1..].iter().zip(&words.head) {
+            assert!(line.contains(text), "{page:?}: {text}: {line}");
+        }
+        let (heading, answer) = words.head.split_last().unwrap();
+        assert!(!answer.is_empty() && !words.body.is_empty(), "{page:?}: {words:?}");
+        let rows = words.body.iter().filter(|row| row.0.starts_with(['>', ' ']));
+        let as_wide = |row: &String| row.chars().count() <= heading.0.chars().count() + 12;
+        assert!(rows.map(|row| &row.0).all(as_wide), "{page:?}: {words:?}");
+    }
+}
+
 #[test]
 fn every_page_at_every_size() {
     for (glyphs, (columns, rows)) in at_every_size(&[(60, 16), (80, 24), (160, 50)]) {
@@ -161,7 +204,7 @@ fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
     assert!(bench.app.field().is_some());
     bench.keys("<C-u>65 %<Enter>");
     answer(&mut bench);
-    assert!(bench.screen().contains("> k = "), "{}", bench.screen());
+    assert!(bench.screen().contains("65 % at k = "), "{}", bench.screen());
 }
 
 #[test]
@@ -223,7 +266,7 @@ fn a_solution_that_no_interface_holds_together_says_so() {
     answer(&mut bench);
     bench.keys("<Enter>50<Enter>");
     answer(&mut bench);
-    for words in ["d = 97.9977 mm: 50 %", "interface pull is", "plastic: "] {
+    for words in ["50 % at d = 97.9977 mm", "interface pull is", "plastic"] {
         assert!(bench.screen().contains(words), "{words}: {}", bench.screen());
     }
     Arc::make_mut(&mut bench.app.scene).interface.law = InterfaceLaw::Plastic;

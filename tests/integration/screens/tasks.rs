@@ -61,7 +61,7 @@ fn the_cocking_distance_for_60_percent_takes_1_and_for_50_percent_3_more() {
     let mut task = Counted::start();
     task.key("4");
     search::answer(&mut task.bench);
-    assert!(task.bench.screen().contains("> d = 25.6"), "{}", task.bench.screen());
+    assert!(task.bench.screen().contains("60 % at d = 25.6"), "{}", task.bench.screen());
     assert_eq!(task.presses, 1);
     task.key("<Enter>").text("50").key("<Enter>");
     search::answer(&mut task.bench);

@@ -2,73 +2,78 @@
 
 use crate::tui::pages::page::draw_setup;
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::search::state::{Page, RESULTS, SETUP};
+use crate::tui::pages::search::state::{RESULTS, SETUP};
+use crate::tui::pages::search::study_page::Words;
 use crate::tui::widgets::text::first_row;
+
+/// Maximum cells of the gauge of a search without results, and columns for its brackets and the remaining time.
+const GAUGE: usize = 40;
+const GAUGE_WORDS: u16 = 16;
 
 pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(results, RESULTS);
     draw_setup(app, &app.search_form(), SETUP, setup, canvas);
-    let lines = app.search_lines(usize::from(results.width.saturating_sub(2)));
+    let words = app.search_words(usize::from(results.width.saturating_sub(2)));
     let Some(answer) = app.pages.search.answer() else {
         waiting(app, results, canvas);
         return;
     };
-    let below = app.pages.search.words_height(results.height, lines.len());
-    if below == results.height {
-        lines_below(app, &lines, results, canvas);
-        return;
+    let (top, rest) = split_bottom(results, app.pages.search.words_height(results.height, &words));
+    if top.height > 0 {
+        answer.draw(app, top, canvas);
     }
-    let (top, rest) = split_bottom(results, below);
-    answer.draw(app, top, canvas);
-    lines_below(app, &lines, rest, canvas);
+    text(app, &words, rest, canvas);
 }
 
-/// The text shown before there are results.
+/// Returns the frame of the results; it names the key to the setup if the setup is not drawn beside it.
+fn frame(app: &App, title: String, more: &str, area: Rect) -> PaneFrame<'static> {
+    let alone = area.width == app.size.0;
+    let hint = if alone { format!("{more}  <next-pane>: setup") } else { more.to_owned() };
+    PaneFrame::new(title).right(app.keymap.shown(hint.trim_start()))
+}
+
+/// Draws the progress before there are results, or how to start.
 fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let title = app.pages.search.page.title();
-    let alone = area.width == app.size.0;
-    let hint = app.keymap.shown(if alone { "<next-pane>: setup" } else { "" });
-    let inner = PaneFrame::new(title).right(hint).draw(area, canvas);
+    let page = app.pages.search.page;
+    let inner = frame(app, page.title().to_owned(), "", area).draw(area, canvas);
     let why = app.pages.search.problem().map(|_| "see the message below");
-    let is_running = app.searching(app.pages.search.page).is_some();
-    let text = if is_running { "searching" } else { why.unwrap_or(NO_RESULTS) };
-    canvas.put_centred(inner, &app.keymap.shown(text));
+    let Some(running) = app.searching(page) else {
+        return canvas.put_centred(inner, &app.keymap.shown(why.unwrap_or(NO_RESULTS)));
+    };
+    let cells = usize::from(inner.width.saturating_sub(GAUGE_WORDS)).min(GAUGE);
+    canvas.put_centred(inner, "searching");
+    if let Some(gauge) = running.gauge(cells) {
+        let (_, below) = split_top(inner, 2);
+        canvas.put_centred(below, &gauge);
+    }
 }
 
-fn lines_below(app: &App, lines: &[TextLine], area: Rect, canvas: &mut Canvas<'_>) {
+/// Draws the answer and the heading of the table, then as much of the rows and remarks as fits.
+fn text(app: &App, words: &Words, area: Rect, canvas: &mut Canvas<'_>) {
+    let tab = &app.pages.search;
     let old = if app.search_is_old() { ", of another setup" } else { "" };
-    let title = format!("{}{old}", app.pages.search.page.title());
+    let title = format!("{}{old}", tab.page.title());
     let focused = app.has_focus(RESULTS);
+    let has_choices = tab.choices() > 0;
     let height = usize::from(area.height.saturating_sub(2));
-    let (has_choices, more) = (app.pages.search.choices() > 0, lines.len() > height);
-    let is_table = app.pages.search.page == Page::Front && has_choices;
-    let hint = if more && !has_choices { "<down>/<up>: more" } else { "" };
-    // If the setup is not displayed beside it, the pane describes it.
-    let alone = area.width == app.size.0;
-    let hint = if alone { format!("<next-pane>: setup  {hint}") } else { hint.to_owned() };
-    let hint = app.keymap.shown(&hint);
-    let inner = PaneFrame::new(title).right(hint).focused(focused).draw(area, canvas);
-    // The heading of a table stays visible.
-    let (head, lines) = lines.split_at(usize::from(is_table).min(lines.len()));
-    let height = height.saturating_sub(head.len());
-    let selected = app.pages.search.selected();
+    let more = if words.count() > height && !has_choices { "<down>/<up>: more" } else { "" };
+    let inner = frame(app, title, more, area).focused(focused).draw(area, canvas);
+    let room = usize::from(inner.width);
+    let clipped = |(text, role): &TextLine| (clip(text, room), *role);
+    canvas.put_lines(inner, 0, words.head.iter().map(clipped));
+    let (_, inner) = split_top(inner, u16::try_from(words.head.len()).unwrap_or(u16::MAX));
+    let (height, count, selected) = (usize::from(inner.height), words.body.len(), tab.selected());
     let first = if has_choices {
-        first_row(selected, height, lines.len())
+        first_row(selected, height, count)
     } else {
-        app.pages.search.scrolled().min(lines.len().saturating_sub(height))
+        tab.scrolled().min(count.saturating_sub(height))
     };
-    if let Some((text, _)) = head.first() {
-        canvas.put(inner, (0, 0), &clip(text, usize::from(inner.width)), Role::Title);
-    }
-    let (_, inner) = split_top(inner, u16::try_from(head.len()).unwrap_or(0));
-    // The warnings of a solution are below it.
-    let choices = lines.iter().enumerate().filter(|(_, line)| line.1 != Role::Warning);
-    let mut choices = choices.map(|(at, _)| at).take(app.pages.search.choices());
-    canvas.rows(inner, (first, lines.len()), |line| {
-        Some(Target::Row(RESULTS, choices.position(|at| at == line)?))
-    });
-    for (row, (at, (text, role))) in inner.rows().zip(lines.iter().enumerate().skip(first)) {
-        canvas.put(row, (0, 0), &clip(text, usize::from(inner.width)), *role);
+    let choices = tab.choices();
+    canvas
+        .rows(inner, (first, count), |line| (line < choices).then_some(Target::Row(RESULTS, line)));
+    for (row, (at, line)) in inner.rows().zip(words.body.iter().enumerate().skip(first)) {
+        let (text, role) = clipped(line);
+        canvas.put(row, (0, 0), &text, role);
         if focused && has_choices && at == selected {
             canvas.paint_row(row);
         }

@@ -9,12 +9,10 @@ use crate::tui::pages::search::results::{axes, place};
 use crate::tui::pages::search::setup::{OBJECTIVES, brief};
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::pages::search::study_page::{Answer, note};
-use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
 use cmra_studies::report::front::{lacks, page_keys, table, warnings};
 use cmra_studies::report::table::Cells;
-use cmra_studies::study::search::front::{self, DEFAULT, FrontReport, Objective};
+use cmra_studies::study::search::front::{self, DEFAULT, Design, FrontReport, Objective};
 use cmra_studies::study::sweep;
 use cmra_studies::study::validity::counted;
 
@@ -86,12 +84,8 @@ impl Answer for FrontReport {
         let values =
             values.map(|(axis, value)| format!("{} {}", axis.symbol(), significant(*value, 3)));
         let values: Vec<String> = values.collect();
-        let results = design.measures.iter().zip(request.measures());
-        let results = results.filter_map(|(value, column)| {
-            Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
-        });
         let (at, count) = (tab.selected() + 1, self.designs.len());
-        let results = results.collect::<Vec<String>>().join(", ");
+        let results = self::values(self, design, usize::MAX);
         let knee = if tab.knee() == Some(tab.selected()) {
             let (across, up) = axes(self);
             let [across, up] = [across, up].map(|axis| brief(request.measures()[axis]));
@@ -112,19 +106,23 @@ impl Answer for FrontReport {
         })
     }
 
-    /// Returns the table of the designs: a heading, then one row for each; reasons if there are none.
-    fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
+    fn answer(&self, app: &App, _width: usize) -> Vec<TextLine> {
         let tab = &app.pages.search;
-        let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-        let grid = Grid::new(design_cells(tab, self), room, u16::MAX);
-        let mut lines = vec![note(format!("  {}", grid.line(None)))];
-        for at in 0..self.designs.len() {
-            let mark = if at == tab.selected() { ">" } else { " " };
-            lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
+        if self.designs.is_empty() {
+            let lacks = lacks(self).into_iter();
+            return lacks.map(|text| (text, Role::Warning)).collect();
         }
-        let lacks = lacks(self).into_iter();
-        lines.extend(broken(lacks.map(|text| (text, Role::Warning)).collect(), width));
-        lines
+        let knee = tab.knee().and_then(|at| self.designs.get(at));
+        let knee = knee.map(|design| format!("knee: {}", values(self, design, 2)));
+        let count = match self.designs.len() {
+            1 => "1 design".to_owned(),
+            count => format!("{count} designs"),
+        };
+        vec![note([Some(count), knee].into_iter().flatten().collect::<Vec<_>>().join(", "))]
+    }
+
+    fn table(&self, app: &App) -> Vec<Cells> {
+        if self.designs.is_empty() { Vec::new() } else { design_cells(&app.pages.search, self) }
     }
 
     fn csv(&self, _scene: &Scene, name: &str, reach: Reach) -> String {
@@ -171,6 +169,15 @@ impl Answer for FrontReport {
             near.map(|(at, _)| Target::Row(RESULTS, at))
         });
     }
+}
+
+/// Lists the first results of a design: `depth 1.5 mm, stroke 133 mm`.
+fn values(front: &FrontReport, design: &Design, count: usize) -> String {
+    let results = design.measures.iter().zip(front.request.measures()).take(count);
+    let results = results.filter_map(|(value, column)| {
+        Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
+    });
+    results.collect::<Vec<String>>().join(", ")
 }
 
 /// Returns the columns of the table of designs.

@@ -4,12 +4,13 @@ use crate::tui::chart::{Axis, Chart, Curve, Mark};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::state::{Row, Searching, Setup};
-use crate::tui::pages::search::study_page::{Answer, note, table_lines};
-use crate::tui::widgets::text::broken;
+use crate::tui::pages::search::study_page::{Answer, note};
+use crate::tui::widgets::text::{fitting, shortened};
 use crate::worker::studies::SearchRequest;
 use cmra_studies::report::monte_carlo::{drawn_again, perforation, table, warnings};
+use cmra_studies::report::table::{Cells, Table};
 use cmra_studies::study::monte_carlo::{
-    DEFAULT_DEVIATION, MonteCarloReport, Request, Summary, default_tolerances,
+    DEFAULT_DEVIATION, Estimate, MonteCarloReport, Request, Summary, default_tolerances,
 };
 
 /// Number of bins of the histogram.
@@ -43,27 +44,45 @@ fn drawn<'r>(report: &'r MonteCarloReport, tab: &Searching) -> Option<&'r Summar
     report.summaries.iter().find(|summary| summary.measure.name == tab.setup.output)
 }
 
+/// Returns the table of the quantities with values.
+fn known(report: &MonteCarloReport) -> Table<'_, &Summary> {
+    let mut table = table("", report);
+    table.rows.retain(|summary| summary.deviation.is_some());
+    table
+}
+
 impl Answer for MonteCarloReport {
     fn effort(&self) -> Option<String> {
         Some(format!("{} samples", self.samples))
     }
 
-    fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let mut lines = Vec::new();
-        lines.extend(perforation(self).map(note));
+    fn answer(&self, app: &App, width: usize) -> Vec<TextLine> {
+        let shown = drawn(self, &app.pages.search).and_then(|summary| {
+            let [low, median, high] = [0.05, 0.5, 0.95].map(|share| summary.quantile(share));
+            let show = |it: Estimate| summary.measure.show(it.value, 4);
+            let spread = format!("{}, 90 %: {} to {}", show(median?), show(low?), show(high?));
+            let names = [summary.measure.title(), shortened(&summary.measure.title())];
+            Some(fitting(names.map(|name| format!("{name} {spread}")), width))
+        });
+        let through = perforation(self).map(|text| {
+            let short = text.replace(" of the shots (95 % confidence:", " (95 %:");
+            fitting([text, short], width)
+        });
+        shown.into_iter().chain(through).map(note).collect()
+    }
+
+    fn remarks(&self, _app: &App) -> Vec<TextLine> {
         let again = drawn_again(self.redrawn.iter().sum()).map(|text| format!("; {text}"));
-        lines.push(note(format!("{}{}", self.outcomes, again.unwrap_or_default())));
-        let mut lines = broken(lines, width);
-        let mut table = table("", self);
-        table.rows.retain(|summary| summary.deviation.is_some());
+        vec![note(format!("{}{}", self.outcomes, again.unwrap_or_default()))]
+    }
+
+    fn table(&self, _app: &App) -> Vec<Cells> {
+        known(self).cells(&QUANTILES)
+    }
+
+    fn marked(&self, app: &App) -> Option<usize> {
         let output = app.pages.search.setup.output;
-        let selected = table.rows.iter().position(|row| row.measure.name == output);
-        let mut rows: Vec<TextLine> = table_lines(&table, &QUANTILES, width).collect();
-        if let Some((row, _)) = selected.and_then(|at| rows.get_mut(at + 1)) {
-            row.replace_range(..1, ">");
-        }
-        lines.extend(rows);
-        lines
+        known(self).rows.iter().position(|row| row.measure.name == output)
     }
 
     fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {

@@ -4,13 +4,13 @@ use crate::tui::app::running::CachedResult;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::state::{Page, Searching};
-use crate::tui::pages::search::study_page::Answer;
+use crate::tui::pages::search::study_page::{Answer, Words};
 use crate::tui::widgets::layout::CHART_ROWS;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 use cmra_studies::study::search::front::{Design, FrontReport};
 
-/// Minimum number of rows for text below a chart, frame included.
-const MIN_WORDS: u16 = 6;
+/// Minimum number of visible rows of a table below a chart.
+const ROWS: usize = 2;
 
 impl Searching {
     /// Returns the result of the shown page; `None` before the first one.
@@ -41,15 +41,14 @@ impl Searching {
     }
 
     /// Returns the rows for text below the chart in a pane of this height, frame included. Text gets all rows if there is no chart, or no
-    /// room for one with four lines of text.
-    pub fn words_height(&self, height: u16, lines: usize) -> u16 {
-        let words = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
+    /// room for one with the answer and some rows of the table. A table with a single row may be hidden.
+    pub fn words_height(&self, height: u16, words: &Words) -> u16 {
+        let lines = |count: usize| u16::try_from(count).unwrap_or(u16::MAX).saturating_add(2);
+        let all = lines(words.count());
+        let least =
+            if words.body.len() == 1 { lines(1) } else { all.min(lines(words.head.len() + ROWS)) };
         let draws = self.answer().is_some_and(|answer| answer.draws(self));
-        if draws && height >= CHART_ROWS + words.min(MIN_WORDS) {
-            words.min(height - CHART_ROWS).max(3)
-        } else {
-            height
-        }
+        if draws && height >= CHART_ROWS + least { all.min(height - CHART_ROWS) } else { height }
     }
 
     /// Returns the first visible line of a page without selectable designs.
@@ -102,12 +101,6 @@ impl App {
         let is_own = |request: &Arc<SearchRequest>| Page::from_request(request) == page;
         let mut studies = self.jobs.studies.iter();
         studies.find(|running| SearchRequest::downcast(&running.request).is_some_and(is_own))
-    }
-
-    /// Returns the lines of text of the page shown.
-    pub fn search_lines(&self, width: usize) -> Vec<TextLine> {
-        let answer = self.pages.search.answer();
-        answer.map_or_else(Vec::new, |answer| answer.lines(self, width))
     }
 
     /// Returns `true` if the shown result belongs to another scene or setup. Values of the searched variables are ignored, so that loading

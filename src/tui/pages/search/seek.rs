@@ -8,13 +8,16 @@ use crate::tui::pages::search::Study;
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::pages::search::study_page::{Answer, line, note};
 use crate::tui::widgets::axis::Part;
-use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
+use cmra_studies::report::Remark;
 use cmra_studies::report::figures::axis_of;
-use cmra_studies::report::seek::{remarks, solution, table, warnings};
+use cmra_studies::report::seek::{remarks, table, warnings};
+use cmra_studies::report::table::Cells;
 use cmra_studies::study::quantities::named;
-use cmra_studies::study::search::seek::{self, Goal, SCAN, SeekReport};
+use cmra_studies::study::search::seek::{self, Goal, SCAN, SeekReport, SeekResult};
 use cmra_studies::study::sweep;
+use cmra_studies::study::validity::DesignValidity;
+use cmra_studies::study::verdict::Decision;
 
 pub(super) const STUDY: Study = Study {
     title: "Goal seek",
@@ -40,6 +43,15 @@ fn request(app: &App) -> Result<SearchRequest, String> {
     Ok(SearchRequest::Seek(seek::Request { over, goal }))
 }
 
+/// Text of a column in the row of a solution.
+type Cell<'c> = dyn Fn(&SeekResult, &DesignValidity) -> String + 'c;
+
+/// Returns the remarks of the report: a missing solution, jumps, and gaps.
+fn reasons(report: &SeekReport, app: &App) -> impl Iterator<Item = Remark> {
+    let reach = app.pages.search.shown().map_or(Reach::Complete, |kept| kept.reach);
+    remarks(report, reach).into_iter()
+}
+
 impl Answer for SeekReport {
     fn over(&self) -> &[sweep::Axis] {
         std::slice::from_ref(&self.axis)
@@ -60,11 +72,9 @@ impl Answer for SeekReport {
     }
 
     fn readout(&self, app: &App) -> Option<String> {
-        let solution = self.solutions().nth(app.pages.search.selected())?;
-        let at = self.axis.display(solution.place.at, 5);
-        let value = self.measure.show(solution.place.value, 4);
-        let loads = if app.pane() == RESULTS { "; <enter> loads it" } else { "" };
-        Some(format!("{} {at}: {value}{loads}", self.axis.symbol()))
+        let (at, count) = (app.pages.search.selected() + 1, self.choices());
+        let loads = if app.pane() == RESULTS { ": <enter> loads it" } else { "" };
+        (count > 0).then(|| format!("solution {at} of {count}{loads}"))
     }
 
     fn validity(&self, _app: &App) -> Option<StatusPart> {
@@ -73,20 +83,57 @@ impl Answer for SeekReport {
         outside(fails.copied(), place)
     }
 
-    fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let selected = app.pages.search.selected();
-        let all = self.solutions().zip(&self.checked).enumerate();
-        let solutions = all.flat_map(|(index, (found, checked))| {
-            let mark = if index == selected { ">" } else { " " };
-            let solution = note(format!("{mark} {}", solution(self, found, checked)));
-            let warnings = checked.new.iter().map(|text| (format!("! {text}"), Role::Warning));
-            // Only the warnings of the selected solution fit; the status row lists all failed checks.
-            let warnings = warnings.filter(move |_| index == selected);
-            std::iter::once(solution).chain(warnings)
-        });
-        let reach = app.pages.search.shown().map_or(Reach::Complete, |kept| kept.reach);
-        let lines = solutions.chain(remarks(self, reach).into_iter().map(line)).collect();
-        broken(lines, width)
+    fn answer(&self, app: &App, _width: usize) -> Vec<TextLine> {
+        let at = |found: &SeekResult| self.axis.display(found.place.at, 6);
+        let places: Vec<String> = self.solutions().map(at).collect();
+        if places.is_empty() {
+            return reasons(self, app).map(line).take(1).collect();
+        }
+        let goal = self.measure.show(self.target, 6);
+        vec![note(format!("{goal} at {} = {}", self.axis.symbol(), places.join(" and ")))]
+    }
+
+    fn table(&self, _app: &App) -> Vec<Cells> {
+        let found: Vec<(&SeekResult, &DesignValidity)> =
+            self.solutions().zip(&self.checked).collect();
+        let column = |head: String, is_text: bool, cell: &Cell<'_>| {
+            let cells = found.iter().map(|(one, checked)| cell(one, checked)).collect();
+            Cells { head, is_text, cells }
+        };
+        let at: &Cell<'_> = &|one, _| self.axis.display(one.place.at, 6);
+        let value: &Cell<'_> = &|one, _| self.measure.show(one.place.value, 6);
+        let outcome: &Cell<'_> =
+            &|one, _| one.outcome.map_or_else(String::new, |it| it.key().to_owned());
+        let plastic: &Cell<'_> =
+            &|_, checked| checked.plastic.map_or_else(String::new, |it| it.result(self.measure));
+        let verdict: &Cell<'_> = &|_, checked| checked.verdict.decision.word().to_owned();
+        let columns = [
+            (self.axis.symbol().to_owned(), false, at),
+            (self.measure.heading(), false, value),
+            ("outcome".to_owned(), true, outcome),
+            ("plastic".to_owned(), true, plastic),
+            ("verdict".to_owned(), true, verdict),
+        ];
+        // Columns of a plastic interface and of a verdict are needed only if a row has one.
+        let is_needed = |head: &str| match head {
+            "plastic" => found.iter().any(|(_, checked)| checked.plastic.is_some()),
+            "verdict" => {
+                let is_known = |it: &DesignValidity| it.verdict.decision != Decision::NotMeasured;
+                found.iter().any(|(_, checked)| is_known(checked))
+            }
+            _ => true,
+        };
+        let columns = columns.into_iter().filter(|(head, ..)| is_needed(head));
+        columns.map(|(head, is_text, cell)| column(head, is_text, cell)).collect()
+    }
+
+    fn remarks(&self, app: &App) -> Vec<TextLine> {
+        // The warnings of the selected solution fit; the status row lists all failed checks.
+        let checked = self.checked.get(app.pages.search.selected());
+        let warnings = checked.into_iter().flat_map(|checked| &checked.new);
+        let warnings = warnings.map(|text| (format!("! {text}"), Role::Warning));
+        let answered = usize::from(self.solutions().next().is_none());
+        warnings.chain(reasons(self, app).skip(answered).map(line)).collect()
     }
 
     fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {

@@ -3,13 +3,13 @@
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::state::Row;
-use crate::tui::pages::search::study_page::{Answer, note, table_lines};
+use crate::tui::pages::search::study_page::{Answer, note};
 use crate::tui::theme::GlyphSet;
-use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchRequest;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
 use cmra_studies::report::sensitivity::{ASCII, BLOCKS, COLUMNS, page, table};
+use cmra_studies::report::table::Cells;
 use cmra_studies::study::quantities::named;
 use cmra_studies::study::sensitivity::{OUTPUT, Request, SensitivityReport};
 use cmra_studies::study::sweep::Axis;
@@ -41,29 +41,38 @@ pub(crate) fn levels(glyphs: GlyphSet) -> [char; 8] {
     }
 }
 
+/// Number of variables that the answer names.
+const NAMED: usize = 3;
+
 impl Answer for SensitivityReport {
     fn readout(&self, _app: &App) -> Option<String> {
         let top = self.output.show(self.scale()?, 3);
-        Some(format!("bars: 0 to {top}, the 95th percentile of all runs; here: slope at the scene"))
+        Some(format!(
+            "one variable at a time over its range; bars: 0 to {top}; here: the slope at the scene"
+        ))
     }
 
     fn outside_at_ends(&self) -> &[(Check, Warning)] {
         &self.outside_at_ends
     }
 
-    fn lines(&self, app: &App, width: usize) -> Vec<TextLine> {
-        let own = self.output.show_any(self.own.and_then(|own| own.result), 3);
-        let mut lines = vec![note(format!("{}; the scene: {own}", self.output.title()))];
+    fn answer(&self, app: &App, _width: usize) -> Vec<TextLine> {
+        let title = self.output.title();
         if self.is_empty() {
             let text = "nothing to compare: no run has this result; <next-pane>, then Of: choose another one";
-            lines.push((app.keymap.shown(text), Role::Warning));
-            return broken(lines, width);
+            return vec![(app.keymap.shown(text), Role::Warning)];
         }
-        lines.push(note("one variable at a time over its range".to_owned()));
-        lines.push(note(String::new()));
-        let levels = levels(app.settings.theme.glyphs);
-        lines.extend(table_lines(&page(self, levels), &COLUMNS, width));
-        lines
+        let own = self.output.show_any(self.own.and_then(|own| own.result), 3);
+        let effects = self.order().into_iter().map(|at| &self.effects[at]);
+        let names: Vec<&str> = effects.take(NAMED).map(|effect| effect.axis.symbol()).collect();
+        vec![note(format!("{title}, here {own}: {} matter most", names.join(", ")))]
+    }
+
+    fn table(&self, app: &App) -> Vec<Cells> {
+        if self.is_empty() {
+            return Vec::new();
+        }
+        page(self, levels(app.settings.theme.glyphs)).cells(&COLUMNS)
     }
 
     fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {

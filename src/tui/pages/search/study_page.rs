@@ -3,11 +3,12 @@
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::state::Searching;
 use crate::tui::widgets::table::{Grid, NAME_LEAST};
+use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchAnswer;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
 use cmra_studies::report::Remark;
-use cmra_studies::report::table::Table;
+use cmra_studies::report::table::Cells;
 use cmra_studies::study::sweep;
 
 /// Presentation of a study's result on its page.
@@ -47,8 +48,21 @@ pub(crate) trait Answer {
         &[]
     }
 
-    /// Returns the lines of text beside the chart.
-    fn lines(&self, app: &App, width: usize) -> Vec<TextLine>;
+    /// Returns the answer in sentences, if possible each on a line of this width.
+    fn answer(&self, app: &App, width: usize) -> Vec<TextLine>;
+
+    /// Returns the columns of the table, the most important first; empty if there are no rows.
+    fn table(&self, app: &App) -> Vec<Cells>;
+
+    /// Returns the marked row of the table.
+    fn marked(&self, app: &App) -> Option<usize> {
+        (self.choices() > 0).then(|| app.pages.search.selected())
+    }
+
+    /// Returns the remarks below the table.
+    fn remarks(&self, _app: &App) -> Vec<TextLine> {
+        Vec::new()
+    }
 
     /// Formats the results of a named scene as CSV.
     fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String;
@@ -86,16 +100,40 @@ pub(super) fn line(remark: Remark) -> TextLine {
     (remark.text, if remark.is_caution { Role::Warning } else { Role::Text })
 }
 
-/// Formats the rows of a table for a number of columns, below their headings.
-pub(super) fn table_lines<R>(
-    table: &Table<'_, R>,
-    keys: &[&str],
-    width: usize,
-) -> impl Iterator<Item = TextLine> {
-    let rows = table.rows.len();
-    let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-    let grid = Grid::new(table.cells(keys), room, NAME_LEAST);
-    std::iter::once(None)
-        .chain((0..rows).map(Some))
-        .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))
+/// Text of a result: the answer and the heading of the table, which stay visible, then its rows and the remarks.
+#[derive(Debug, Default)]
+pub struct Words {
+    /// Answer, and heading of the table.
+    pub head: Vec<TextLine>,
+    /// Rows of the table, then remarks.
+    pub body: Vec<TextLine>,
+}
+
+impl Words {
+    /// Returns the number of lines.
+    pub(crate) fn count(&self) -> usize {
+        self.head.len() + self.body.len()
+    }
+}
+
+impl App {
+    /// Returns the text of the shown result for this width; empty before the first result.
+    pub fn search_words(&self, width: usize) -> Words {
+        let Some(answer) = self.pages.search.answer() else { return Words::default() };
+        let columns = answer.table(self);
+        let rows = columns.first().map_or(0, |column| column.cells.len());
+        let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+        let grid = Grid::new(columns, room, NAME_LEAST);
+        let marked = answer.marked(self);
+        let line = |row: Option<usize>| {
+            let mark = if row.is_some() && row == marked { ">" } else { " " };
+            note(format!("{mark} {}", grid.line(row)).trim_end().to_owned())
+        };
+        let heading = (rows > 0).then(|| (line(None).0, Role::Title));
+        let mut head = broken(answer.answer(self, width), width);
+        head.extend(heading);
+        let mut body: Vec<TextLine> = (0..rows).map(|row| line(Some(row))).collect();
+        body.extend(broken(answer.remarks(self), width));
+        Words { head, body }
+    }
 }
