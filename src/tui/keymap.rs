@@ -340,6 +340,8 @@ pub struct Command {
     pub call: CommandTarget,
     /// Name, starting with a verb.
     pub name: &'static str,
+    /// What it does, in some words; empty for a page or the key of a pane, which have a text elsewhere.
+    pub what: &'static str,
     /// Further words for the search.
     pub synonyms: &'static str,
 }
@@ -356,7 +358,7 @@ pub enum CommandTarget {
 
 impl Command {
     pub const fn new(call: CommandTarget, name: &'static str, synonyms: &'static str) -> Self {
-        Self { call, name, synonyms }
+        Self { call, name, what: "", synonyms }
     }
 }
 

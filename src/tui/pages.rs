@@ -37,8 +37,13 @@ pub fn spec(pane: Pane) -> &'static PaneSpec {
     panes.iter().find(|spec| spec.pane == pane).unwrap_or(&panes[0])
 }
 
-const fn named(action: Action, name: &'static str, synonyms: &'static str) -> Command {
-    Command::new(CommandTarget::Do(action), name, synonyms)
+const fn named(
+    action: Action,
+    name: &'static str,
+    what: &'static str,
+    synonyms: &'static str,
+) -> Command {
+    Command { what, ..Command::new(CommandTarget::Do(action), name, synonyms) }
 }
 
 /// All of them: tabs and pages first, then what acts anywhere, then what acts on a pane.
@@ -52,23 +57,23 @@ pub fn commands() -> impl Iterator<Item = &'static Command> {
 
 #[rustfmt::skip]
 static GENERAL: &[Command] = &[
-    named(Action::Help, "Help", "keys"),
-    named(Action::Characters, "Next characters", "options settings glyphs ascii block braille"),
-    named(Action::Colours, "Next colours", "options settings theme"),
-    named(Action::Mouse, "Mouse on or off", "options settings click wheel"),
-    named(Action::Presets, "Presets", "load open threats materials absorbers scenes file"),
-    named(Action::Save, "Save the scene", "preset write store"),
-    named(Action::Export, "Export", "csv svg write file table picture chart"),
-    named(Action::Beside, "Open a measured trace", "compare csv overlay experiment finite elements history beside with"),
-    named(Action::Copy, "Copy", "clipboard osc 52"),
-    named(Action::Run, "Run again", "recompute calculate compute"),
-    named(Action::Undo, "Undo", "take back"),
-    named(Action::Redo, "Redo", "again"),
-    named(Action::Mark, "Pin this run", "compare keep mark"),
-    named(Action::ResetAll, "Set all variables as in the preset", "reset all start again default"),
-    named(Action::Redraw, "Redraw the screen", "clear refresh"),
-    named(Action::Suspend, "Suspend", "shell background"),
-    named(Action::Quit, "Quit", "exit leave"),
+    named(Action::Help, "Help", "keys, and the selected row", "keys"),
+    named(Action::Characters, "Next characters", "braille, blocks or ASCII", "options settings glyphs ascii block braille"),
+    named(Action::Colours, "Next colours", "256, sixteen or none", "options settings theme"),
+    named(Action::Mouse, "Mouse on or off", "click and wheel", "options settings click wheel"),
+    named(Action::Presets, "Presets", "scenes, threats, materials", "load open threats materials absorbers scenes file"),
+    named(Action::Save, "Save the scene", "as a preset or a file", "preset write store"),
+    named(Action::Export, "Export", "CSV or SVG of this page", "csv svg write file table picture chart"),
+    named(Action::Beside, "Open a measured trace", "its CSV beside the runs", "compare csv overlay experiment finite elements history beside with"),
+    named(Action::Copy, "Copy", "this page to the clipboard", "clipboard osc 52"),
+    named(Action::Run, "Run again", "what this page computes", "recompute calculate compute"),
+    named(Action::Undo, "Undo", "the last edit", "take back"),
+    named(Action::Redo, "Redo", "what was undone", "again"),
+    named(Action::Mark, "Pin this run", "to compare with, A to H", "compare keep mark"),
+    named(Action::ResetAll, "Set all variables as in the preset", "the scene as it was loaded", "reset all start again default"),
+    named(Action::Redraw, "Redraw the screen", "after other output", "clear refresh"),
+    named(Action::Suspend, "Suspend", "`fg` resumes", "shell background"),
+    named(Action::Quit, "Quit", "the session is kept", "exit leave"),
 ];
 
 #[cfg(test)]

@@ -3,13 +3,15 @@
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::dialogs::{choice, presets};
-use crate::tui::keymap::Command;
-use crate::tui::pages::{commands, run};
+use crate::tui::keymap::{Command, CommandTarget};
+use crate::tui::pages::page::About;
+use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::{self, commands, run};
 use crate::tui::prelude::*;
 use crate::tui::preset::PresetEntry;
 use crate::tui::widgets::find::{rank, rank_variable, ranked};
 use crate::tui::widgets::split_top;
-use crate::tui::widgets::text::clip;
+use crate::tui::widgets::text::clip_words;
 use cmra_engine::model::variables::{VARIABLES, Variable, is_offered};
 
 #[derive(Debug)]
@@ -61,14 +63,19 @@ impl List for Palette {
         }
         picker.draw_rows(found.len(), list, canvas, |canvas, row, index| {
             let item = &found[index];
-            let mark = if item.kind() == "broken" { "!" } else { " " };
+            let mark = if item.is_broken() { "!" } else { " " };
             canvas.put(row, (0, 0), mark, Role::Warning);
-            canvas.put(row, (2, 0), &clip(&item.name(), 40), Role::Text);
-            let kind = row.width.saturating_sub(10);
-            canvas.put(row, (kind, 0), item.kind(), Role::Dim);
+            canvas.put(row, (2, 0), &clip_words(&item.name(), usize::from(KEY - 3)), Role::Text);
+            canvas.put(row, (KEY, 0), &item.key(app), Role::Key);
+            let room = usize::from(row.width.saturating_sub(WHAT));
+            canvas.put(row, (WHAT, 0), &clip_words(&item.what(app), room), Role::Dim);
         });
     }
 }
+
+/// Columns of an item's key and of what it does.
+const KEY: u16 = 36;
+const WHAT: u16 = 44;
 
 /// Named item.
 #[derive(Clone, Copy)]
@@ -91,14 +98,49 @@ impl Item<'_> {
         }
     }
 
-    /// Returns the kind of an entry, in a word or two.
-    pub fn kind(&self) -> &'static str {
+    fn is_broken(&self) -> bool {
+        matches!(self, Self::Preset(entry) if entry.problem.is_some())
+    }
+
+    /// Returns the key that does the same; empty if there is none.
+    fn key(&self, app: &App) -> String {
+        let Self::Command(command) = self else { return String::new() };
+        app.keymap.label(match command.call {
+            CommandTarget::Do(action) | CommandTarget::In(_, action) => action,
+            CommandTarget::Show(pane, _) => Action::Tab(pane.tab),
+        })
+    }
+
+    /// Describes what choosing the item does, in some words.
+    pub fn what(&self, app: &App) -> String {
         match self {
-            Self::Command(_) => "action",
-            Self::Variable(_) => "variable",
-            Self::Preset(entry) if entry.problem.is_some() => "broken",
-            Self::Preset(entry) if entry.part.is_some() => entry.origin,
-            Self::Preset(_) => "preset",
+            Self::Command(command) => match command.call {
+                CommandTarget::Do(Action::Tab(tab)) => {
+                    let About { pages, panes, .. } = pages::page(tab).about();
+                    let names: Vec<&str> = if pages.is_empty() {
+                        panes.iter().map(|spec| spec.label).collect()
+                    } else {
+                        pages.iter().map(|page| page.name).collect()
+                    };
+                    names.join(", ")
+                }
+                CommandTarget::Do(_) => command.what.to_owned(),
+                CommandTarget::In(pane, action) => {
+                    let help = pages::spec(pane).keys.iter().find(|key| key.action == action);
+                    help.map_or_else(String::new, |key| app.keymap.shown(key.help))
+                }
+                CommandTarget::Show(pane, _) => {
+                    format!("a page of {}", pane.tab.title(&app.keymap))
+                }
+            },
+            Self::Variable(index) => {
+                format!("change it; now {}", shown_value(&VARIABLES[*index], &app.scene))
+            }
+            Self::Preset(entry) => match (&entry.problem, &entry.part) {
+                (Some(_), _) => "cannot be loaded".to_owned(),
+                (None, Some(_)) => entry.origin.to_owned(),
+                (None, None) => entry.scene.title.clone(),
+            },
         }
     }
 

@@ -139,14 +139,15 @@ fn words_on_the_screen_find_their_rows() {
         assert_eq!(first(typed), symbol, "{typed}");
     }
     let bench = Bench::ascii(80, 24);
-    for (typed, kind, name) in [
-        ("stiffness", "variable", "k  stiffness"),
-        ("velocity", "variable", "v_i  impact velocity"),
-        ("quit", "action", "Quit"),
+    for (typed, what, name) in [
+        ("stiffness", "change it; now 100 kN/m^n", "k  stiffness"),
+        ("velocity", "change it; now 100 m/s", "v_i  impact velocity"),
+        ("quit", "the session is kept", "Quit"),
     ] {
         let found = bench.app.palette(typed);
         let first = found.first().unwrap_or_else(|| panic!("{typed} finds nothing"));
-        assert_eq!((first.kind(), first.name().as_str()), (kind, name), "{typed}");
+        let described = (first.what(&bench.app), first.name());
+        assert_eq!(described, (what.to_owned(), name.to_owned()), "{typed}");
     }
     assert!(bench.app.palette("quit").iter().all(|item| !item.name().starts_with("theta")));
 }
@@ -294,4 +295,20 @@ fn figures_of_the_thesis_are_found_by_their_numbers() {
     assert!(bench.screen().contains("figure 8.16 has no data to compute"), "{}", bench.screen());
     bench.press("<Enter>");
     assert!(bench.message().contains("a drawing or a photograph"), "{}", bench.message());
+}
+
+/// The row of an action has its key, and what it does in whole words; the list fits 60 columns.
+#[test]
+fn the_palette_shows_keys_and_what_they_do() {
+    for size in [(80, 24), (60, 16)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        bench.press(":export");
+        let screen = bench.screen();
+        let row = screen.lines().find(|line| line.contains(" Export ")).unwrap();
+        assert!(row.contains(" e       CSV"), "{screen}");
+        bench.press("<C-u>what matters");
+        let screen = bench.screen();
+        let row = screen.lines().find(|line| line.contains("What matters")).unwrap();
+        assert!(row.contains(" v       bars"), "{screen}");
+    }
 }
