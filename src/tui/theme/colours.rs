@@ -55,7 +55,7 @@ impl ColourDepth {
 pub(super) struct Shade(u8, u8);
 
 impl Shade {
-    /// Returns the colour at a depth; `None` for the terminal's own foreground.
+    /// Returns the colour at a depth; `None` without colours.
     pub(super) fn at(self, depth: ColourDepth) -> Option<Color> {
         match depth {
             ColourDepth::None => None,
@@ -71,19 +71,14 @@ pub(super) const ERROR: Shade = Shade(1, 160);
 pub(super) const WARNING: Shade = Shade(5, 130);
 pub(super) const NOTE: Shade = Shade(12, 31);
 
-/// Blue, orange, rose, foreground, tan, violet: the colours of xterm's palette with the largest distances for every kind of colour vision.
-const CURVES: [Option<Shade>; 6] = [
-    Some(Shade(12, 32)),
-    Some(Shade(9, 202)),
-    Some(Shade(5, 132)),
-    None,
-    Some(Shade(8, 137)),
-    Some(Shade(13, 93)),
-];
+/// Blue, orange, violet, tan, lilac, grey: the only six colours of xterm's palette that are readable on white and on black and far enough
+/// from each other for every kind of colour vision.
+const CURVES: [Shade; 6] =
+    [Shade(12, 31), Shade(9, 202), Shade(13, 93), Shade(8, 137), Shade(5, 105), Shade(1, 59)];
 
-/// Returns the colour of a curve at a depth; `None` for the terminal's own foreground. Colours repeat after six curves, markers later.
+/// Returns the colour of a curve at a depth; `None` without colours. Colours repeat after six curves, markers later.
 pub(super) fn curve(index: usize, depth: ColourDepth) -> Option<Color> {
-    CURVES[index % CURVES.len()].and_then(|shade| shade.at(depth))
+    CURVES[index % CURVES.len()].at(depth)
 }
 
 /// Ten shades of xterm's palette from dark blue over grey to light yellow, after cividis (Nunez, Anderton and Renslow 2018). Lightness
@@ -161,10 +156,9 @@ mod tests {
                 [[1.2555, -0.0767, -0.1788], [-0.0784, 0.9309, 0.1476], [0.0047, 0.6914, 0.3039]],
             ),
         ];
-        let shades: Vec<Shade> = CURVES.into_iter().flatten().collect();
         for (kind, least, matrix) in kinds {
-            for (at, one) in shades.iter().enumerate() {
-                for other in &shades[at + 1..] {
+            for (at, one) in CURVES.iter().enumerate() {
+                for other in &CURVES[at + 1..] {
                     let [a, b] =
                         [one, other].map(|shade| lab(seen(matrix, linear(xterm(shade.1)))));
                     let apart = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
@@ -198,7 +192,7 @@ mod tests {
     #[test]
     fn fixed_shades_are_readable_on_white_and_on_black() {
         let all = [FOCUS, ERROR, WARNING, NOTE];
-        for fixed in all.into_iter().chain(CURVES.into_iter().flatten()) {
+        for fixed in all.into_iter().chain(CURVES) {
             let first = FIRST.into_iter().find(|(index, _)| *index == fixed.0);
             for rgb in [xterm(fixed.1), first.expect("it is listed").1] {
                 let l = luminance(rgb);
@@ -225,6 +219,7 @@ mod tests {
         for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256] {
             let colours: std::collections::HashSet<_> =
                 (0..CURVES.len()).map(|i| curve(i, depth)).collect();
+            assert!(!colours.contains(&None), "{depth:?}: the colour of the text");
             assert_eq!(colours.len(), CURVES.len(), "{depth:?}");
         }
     }
