@@ -171,7 +171,7 @@ pub(crate) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return;
     }
     let changed = if app.is_modified() { " *" } else { "" };
-    let text = clip(&app.base.name, room.saturating_sub(changed.len())) + changed;
+    let text = text::clip_words(&app.base.name, room.saturating_sub(changed.len())) + changed;
     let start = area.width.saturating_sub(columns(&text) + 1).max(column);
     canvas.put(area, (start, 0), &text, Role::Text);
 }

@@ -41,13 +41,30 @@ pub(crate) fn counted(first: usize, shown: usize, count: usize) -> String {
     if count > shown { format!("{}-{last}/{count}", first + 1) } else { String::new() }
 }
 
-/// Truncates to at most `width` characters; a truncated text ends in `..`.
+/// Truncates to at most `width` characters; a truncated text ends in `..`, at the end of a word if most of it remains.
 pub(crate) fn clip(text: &str, width: usize) -> String {
+    clip_at(text, width, |end, room| 3 * end >= 2 * room, &[' '])
+}
+
+/// Truncates a name to at most `width` characters, at the end of a word if it has several; a truncated name ends in `..`.
+pub(crate) fn clip_words(name: &str, width: usize) -> String {
+    clip_at(name, width, |end, _| end > 0, &[' ', '-', ',', '/'])
+}
+
+/// Truncates a text at the last word end that is acceptable, else within a word.
+fn clip_at(
+    text: &str,
+    width: usize,
+    is_acceptable: impl Fn(usize, usize) -> bool,
+    ends: &[char],
+) -> String {
     if theme::columns(text) <= width {
         return text.to_owned();
     }
-    let (kept, _) = text.split_at(fits(text, width.saturating_sub(2)));
-    kept.trim_end().to_owned() + ".."
+    let room = fits(text, width.saturating_sub(2));
+    let ends = text.match_indices(ends).map(|(at, _)| at).take_while(|at| *at <= room);
+    let end = ends.last().filter(|end| is_acceptable(*end, room)).unwrap_or(room);
+    text[..end].trim_end_matches([' ', ',', ';', ':']).to_owned() + ".."
 }
 
 /// Returns the first of some texts, in order of decreasing length, that fits into the columns; truncates the last one.
@@ -86,12 +103,34 @@ pub(crate) fn shortened(title: &str) -> String {
 
 /// Fits a result's title into the columns, with shorter words if necessary.
 pub(crate) fn fitted(title: &str, width: usize) -> String {
-    if theme::columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
+    if theme::columns(title) <= width {
+        title.to_owned()
+    } else {
+        clip_words(&shortened(title), width)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_name_ends_at_a_word() {
+        let name = "gamma=1.25 k=200 n=0.5";
+        for (width, short) in [
+            (22, name),
+            (21, "gamma=1.25 k=200.."),
+            (18, "gamma=1.25 k=200.."),
+            (17, "gamma=1.25.."),
+            (11, "gamma=1.2.."),
+        ] {
+            assert_eq!(clip_words(name, width), short, "{width}");
+        }
+        assert_eq!(clip_words("validation-borvik-cavity", 20), "validation-borvik..");
+        // A text keeps most of its letters.
+        assert_eq!(clip("h/D, plate face, spring mass", 26), "h/D, plate face, spring..");
+        assert_eq!(clip("100 kN/m^n", 8), "100 kN..");
+    }
 
     #[test]
     fn wide_characters_take_two_columns() {

@@ -9,6 +9,7 @@ use crate::tui::pages::run::charts::titles::title;
 use crate::tui::pages::run::charts::{Curve as Data, is_held};
 use crate::tui::pages::run::impact;
 use crate::tui::pages::run::state::{CHARTS, Charts};
+use crate::tui::widgets::text::clip_words;
 use crate::tui::widgets::value_steps::engineering;
 use cmra_engine::model::run::Run;
 use cmra_studies::report::chart::Below;
@@ -314,8 +315,10 @@ fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
 
 /// Returns `now`, or letter and shortened name of a pin.
 fn label(view: &RunView<'_>) -> String {
-    view.letter
-        .map_or_else(|| "now".to_owned(), |letter| format!("{letter} {}", clip(view.name, 16)))
+    view.letter.map_or_else(
+        || "now".to_owned(),
+        |letter| format!("{letter} {}", clip_words(view.name, 16)),
+    )
 }
 
 /// Explains the letters of a chart's event lines.

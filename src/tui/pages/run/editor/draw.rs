@@ -2,7 +2,7 @@
 
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{
-    ANALYSIS, DESIGN, Editor, EditorRow, is_main, short_label, shown_in, shown_value,
+    ANALYSIS, DESIGN, Editor, EditorRow, is_main, number_in, short_label, shown_in, shown_value,
 };
 use crate::tui::pages::run::state::VARIABLES as PANE;
 use crate::tui::widgets::input::TextField;
@@ -26,14 +26,12 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     // The main variables with their heading take 15 rows, and the frame two.
     let main = 15;
     let is_unfolded = area.height >= main + 2 + UNFOLDED || !is_main(editor.variable());
-    let rows = editor.rows(&app.scene, is_unfolded);
+    let mut rows = editor.rows(&app.scene, is_unfolded);
     let is_folded = !is_unfolded && editor.filter.is_empty();
-    let below = if is_folded && area.height < main + 2 && area.height > main {
-        Below::Nothing
-    } else {
-        Below::End
-    };
-    let height = usize::from(area.height - 1 - u16::from(below == Below::End));
+    let height = usize::from(area.height.saturating_sub(2));
+    // A heading gives way if all variables fit without it.
+    let has_headings = !is_folded || rows.len() != height + 1;
+    rows.retain(|row| has_headings || row.variable().is_some());
     let selected = rows.iter().position(|row| row.variable() == Some(editor.selected));
     let first = selected.unwrap_or(0).saturating_sub(height * 2 / 3);
     let first = first.min(rows.len().saturating_sub(height));
@@ -41,15 +39,15 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         (true, _) if app.pages.run.matters.output.is_some() => {
             app.matters_title().unwrap_or_default()
         }
-        (true, 0) => "Design variables".to_owned(),
+        (true, 0) if has_headings => "Design variables".to_owned(),
         (true, _) => "Variables".to_owned(),
         (false, _) => filtered("Variables", &editor.filter),
     };
     let pane = PaneFrame::new(title).right(counted(first, height, rows.len()));
-    let frame = Frame::Stacked { begins: true, below };
+    let frame = Frame::Stacked { begins: true, below: Below::End };
     let inner = pane.focused(focused).frame(frame).draw(area, canvas);
     canvas.pane(area, PANE);
-    if is_folded && below == Below::End {
+    if is_folded {
         let line = Rect { y: area.bottom() - 1, height: 1, ..area };
         let room = usize::from(area.width.saturating_sub(4));
         canvas.put(line, (1, 0), &format!(" {} ", more_words(app, room)), Role::Text);
@@ -159,12 +157,14 @@ fn value_text(app: &App, index: usize, room: usize) -> String {
     let (variable, unit) = (&VARIABLES[index], app.pages.run.editor.unit(index));
     let digits = (2..=6).rev();
     let plain = digits.map(|digits| shown_in(variable, &app.scene, unit, digits));
+    // Without room for the unit the number stands alone: half a unit could be taken for another one.
+    let bare = number_in(variable, &app.scene, unit, 3);
     let mass =
         (variable.symbol == "gamma" && variables::is_used(variable, &app.scene)).then(|| {
             let mass = units::engineering(app.scene.plate_mass_kg(), "kg", 3);
             format!("{} ({mass})", shown_in(variable, &app.scene, unit, 6))
         });
-    fitting(mass.into_iter().chain(plain), room)
+    fitting(mass.into_iter().chain(plain).chain([bare]), room)
 }
 
 /// Draws the field as `[ 1.25_  ] mm`, wider if the text needs it.
