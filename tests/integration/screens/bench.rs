@@ -155,20 +155,15 @@ impl Bench {
 
     /// Press keys: single characters, or names in angle brackets: `jj<Enter>1.25<C-r>`. Jobs stay unanswered.
     pub(crate) fn press(&mut self, keys: &str) {
-        let mut rest = keys;
-        while let Some(first) = rest.chars().next() {
-            let name = rest.strip_prefix('<').and_then(|tail| tail.split_once('>'));
-            let key = match name {
-                Some((name, tail)) if name.len() > 1 => {
-                    rest = tail;
-                    named(name)
-                }
+        for key in keys_of(keys) {
+            let event = match key.strip_prefix('<').and_then(|name| name.strip_suffix('>')) {
+                Some(name) if name.len() > 1 => named(name),
                 _ => {
-                    rest = &rest[first.len_utf8()..];
-                    KeyEvent::new(KeyCode::Char(first), KeyModifiers::NONE)
+                    let letter = key.chars().next().expect("a key");
+                    KeyEvent::new(KeyCode::Char(letter), KeyModifiers::NONE)
                 }
             };
-            self.send(Message::Key(key));
+            self.send(Message::Key(event));
         }
     }
 
@@ -215,6 +210,19 @@ impl Bench {
         view(&self.app, &mut buffer);
         cmra::tui::chart::buffer_lines(&buffer).join("\n")
     }
+}
+
+/// The keys of a text, each as it is written: `j`, `<Enter>`.
+pub(crate) fn keys_of(text: &str) -> Vec<String> {
+    let (mut keys, mut rest) = (Vec::new(), text);
+    while let Some(first) = rest.chars().next() {
+        let name = rest.strip_prefix('<').and_then(|tail| tail.find('>'));
+        // One letter in brackets is typed with them.
+        let length = name.filter(|at| *at > 1).map_or(first.len_utf8(), |at| at + 2);
+        keys.push(rest[..length].to_owned());
+        rest = &rest[length..];
+    }
+    keys
 }
 
 pub(crate) fn done(run: Run) -> ReportBody {

@@ -86,7 +86,10 @@ fn answers(study: &Study, change: &impl Fn(&mut LimitReport)) -> Option<ReportBo
     Some(match &study.request {
         StudyRequest::EqualMass(_) => {
             let context = &mut Context::new(1, watch);
-            ended(compare(&study.scene, Hardware::default(), context).unwrap())
+            match compare(&study.scene, Hardware::default(), context) {
+                Ok(report) => ended(report),
+                Err(why) => ReportBody::Failed(why.to_string()),
+            }
         }
         StudyRequest::EfficiencyMap(_) => ended(mapped(&study.scene)),
         StudyRequest::Spread(task) => {
