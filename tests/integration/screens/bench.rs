@@ -218,7 +218,7 @@ pub(crate) fn keys_of(text: &str) -> Vec<String> {
     while let Some(first) = rest.chars().next() {
         let name = rest.strip_prefix('<').and_then(|tail| tail.find('>'));
         // One letter in brackets is typed with them.
-        let length = name.filter(|at| *at > 1).map_or(first.len_utf8(), |at| at + 2);
+        let length = name.filter(|at| *at > 1).map_or_else(|| first.len_utf8(), |at| at + 2);
         keys.push(rest[..length].to_owned());
         rest = &rest[length..];
     }
