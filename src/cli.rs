@@ -9,7 +9,6 @@ use std::process::ExitCode;
 use clap::{CommandFactory as _, FromArgMatches as _, Parser, ValueEnum};
 
 use crate::files::clean;
-use crate::tui::plain as draw;
 use crate::worker::clock::Clock;
 
 mod accuracy;

@@ -1,29 +1,24 @@
 //! `cmra compare [SCENE]`: the comparison at equal areal mass, and its map, as a page, CSV or JSON.
 
-use std::fmt::Write as _;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::charts::ChartArguments;
 use crate::cli::study::StudyArguments;
-use crate::cli::text::{chart_size, hanging, width};
-use crate::cli::{CliError, draw};
 use crate::files::preset::Preset;
-use cmra_engine::model::scene::{Criterion, Scene};
-use cmra_engine::model::units::{fixed_significant, significant};
+use cmra_engine::model::scene::Scene;
 use cmra_studies::report::compare as tables;
-use cmra_studies::report::compare::beside;
+use cmra_studies::report::compare::page::{map_page, page};
+use cmra_studies::report::page::Block;
 use cmra_studies::report::svg::Picture;
 use cmra_studies::study::compare::map::{DEFAULT_COUNT, Map, default_axis};
-use cmra_studies::study::compare::{Candidate, ComparisonReport, Hardware, Request, compare};
+use cmra_studies::study::compare::{Hardware, Request, compare};
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::validity;
 
-/// Indent of the continuation lines of a sentence.
-const INDENT: usize = 2;
-const MAP: draw::Size = (78, 30);
 /// Allowed number of points of an axis of a map.
 const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
 
@@ -88,7 +83,8 @@ impl CompareArguments {
         let map = map?;
         let name = preset.name.as_str();
         let warnings = validity::of_axes(map.scene(), axes);
-        let page = map_page(&preset.heading, &map) + &self.study.table.warnings(&warnings);
+        let mut page = map_page(&preset.heading, &map);
+        page.push(Block::Warnings(warnings));
         if !self.pictures.is_stdout() {
             let source = (&self.study.scene.changes, &preset.scene, request.to_string());
             let rows = tables::map_table(name, &map);
@@ -122,83 +118,4 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
         )));
     }
     Ok([x, y])
-}
-
-fn page(name: &str, report: &ComparisonReport) -> String {
-    let projectile = &report.scene.projectile;
-    let [gram, v] = [1e3 * projectile.mass_kg, projectile.velocity_m_s]
-        .map(|value| fixed_significant(value, 4));
-    let mut page = format!("{name}: does moving armour pay? {gram} g, design velocity {v} m/s\n\n");
-    let say = |page: &mut String, text: &str| *page += &hanging("", text, INDENT);
-    say(&mut page, &tables::verdict(report));
-    let criterion = report.scene.target.criterion;
-    if criterion != Criterion::Passage {
-        say(&mut page, &format!("criterion: {}", criterion.label()));
-    }
-    if let Some(caution) = report.caution() {
-        say(&mut page, &format!("caution: {caution}"));
-    }
-    page.push('\n');
-    page += &beside(report, width());
-    page.push('\n');
-    for reason in tables::reasons(report) {
-        say(&mut page, &reason);
-    }
-    page.push('\n');
-    masses(&mut page, report);
-    page
-}
-
-fn masses(page: &mut String, report: &ComparisonReport) {
-    let gram = |kg: f64| fixed_significant(1e3 * kg, 3);
-    let own = report.entry(Candidate::Scene);
-    let known = own.and_then(|own| own.spring_kg);
-    let spring = match known {
-        Some(kg) if report.spring_is_own => format!("{} g, the scene's own", gram(kg)),
-        Some(kg) => {
-            let holds = if report.hardware == Hardware::Sized {
-                "it holds no faster shot (--size)"
-            } else {
-                "taken to hold faster shots, too; --size: it does not"
-            };
-            let (gram, energy) = (gram(kg), per_mass(&report.scene));
-            format!("{gram} g, the least for the design shot at {energy} (e_spring); {holds}")
-        }
-        None if report.scene.mechanism.specific_energy_j_kg().is_none() => {
-            "not known, since it is no coil; set e_spring or m_spring, or give --absorber"
-                .to_owned()
-        }
-        None => "not known, since nothing stops the plate or the run ended early; set m_spring"
-            .to_owned(),
-    };
-    let _ = writeln!(
-        page,
-        "areal mass: over the plate's face of {} cm^2, its mass over rho h\nspring: {spring}",
-        fixed_significant(1e4 * report.face_m2, 3)
-    );
-    for part in &report.uncounted {
-        let text = "takes up energy, and its mass is not counted";
-        let _ = writeln!(page, "{part}: {text}");
-    }
-}
-
-/// Formats the energy per mass of the springs.
-fn per_mass(scene: &Scene) -> String {
-    let energy_j_kg = scene.mechanism.specific_energy_j_kg();
-    let known = energy_j_kg.map(|energy| significant(energy, 4));
-    format!("{} J/kg", known.as_deref().unwrap_or("unknown"))
-}
-
-fn map_page(name: &str, map: &Map) -> String {
-    let (x, y, energy) = (map.x().symbol(), map.y().symbol(), per_mass(map.scene()));
-    let mut page = format!("{name}: mass efficiency over {x} and {y}, springs of {energy}\n\n");
-    let Some(drawn) = tables::picture(map).filter(|drawn| drawn.values().next().is_some()) else {
-        page.push_str("no point has a mass efficiency\n");
-        return page;
-    };
-    if let Some(place) = tables::where_it_pays(map, map.scene()) {
-        let _ = writeln!(page, "{place}\n");
-    }
-    page.push_str(&draw::map(&drawn, chart_size(MAP)));
-    page
 }

@@ -1,7 +1,5 @@
 //! `cmra design`: results of a shot by formulas, without a simulation.
 
-use std::fmt::Write as _;
-
 use clap::Args;
 
 use crate::cli::CliError;
@@ -17,6 +15,7 @@ use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{Scene, Wire};
 use cmra_engine::model::units::{Dimension, engineering};
 use cmra_engine::model::variables;
+use cmra_studies::report::page::{Block, Page};
 use cmra_studies::report::table::Table;
 
 #[derive(Debug, Args)]
@@ -34,10 +33,11 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     let preset = arguments.scene.load()?;
     variables::validate(&preset.scene)?;
     let found = formulas(&preset.scene, arguments.c_t);
-    let mut page = format!("{}: by formulas alone\n\n", preset.heading);
+    let mut page = Page::new(format!("{}: by formulas alone", preset.heading));
+    page.space();
     for (name, value, unit, source) in &found {
         let shown = engineering(*value, unit, 4);
-        let _ = writeln!(page, "{shown:>14}  {name} ({source})");
+        page.fact(format!("{shown:>14}  "), 16, format!("{name} ({source})"));
     }
     let rows = Table::new(&found)
         .field("name", |it| it.0)
@@ -48,8 +48,9 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     let mut warnings: Vec<Warning> = breaches.iter().map(Warning::from).collect();
     warnings.extend(variables::range_warnings(&preset.scene));
     warnings.extend(library::warnings(&preset.scene));
-    let page = page + &arguments.table.warnings(&warnings);
-    arguments.table.deliver(Extent::WHOLE, None, &page, None, rows.with_warnings(&warnings))
+    let rows = rows.with_warnings(&warnings);
+    page.push(Block::Warnings(warnings));
+    arguments.table.deliver(Extent::WHOLE, None, &page, None, rows)
 }
 
 /// Name of a value, the value by its formula, unit, and source of the formula.

@@ -1,15 +1,13 @@
 //! `cmra libraries`: threats, materials and absorbers, bundled or the user's own.
 
-use std::fmt::Write as _;
-
 use clap::Args;
 
-use crate::cli::table::choice;
-use crate::cli::text::labelled_each;
-use crate::cli::{CliError, output};
+use crate::cli::table::{TableArguments, choice};
+use crate::cli::{CliError, output, text};
 use crate::files::paths::Paths;
 use crate::files::{clean, library};
 use cmra_engine::model::library::{Entry, Library};
+use cmra_studies::report::page::Page;
 
 #[derive(Debug, Args)]
 pub(super) struct LibrariesArguments {
@@ -33,7 +31,9 @@ pub(super) fn run(arguments: &LibrariesArguments) -> Result<(), CliError> {
     let shown = Library::ALL
         .into_iter()
         .filter(|library| arguments.library.is_none_or(|one| one == *library));
-    let pages: Vec<String> = shown.map(|library| page(library, of(library))).collect();
+    let style = TableArguments::default().style();
+    let pages: Vec<String> =
+        shown.map(|library| text::plain(&page(library, of(library)), style)).collect();
     output::print(&pages.join("\n"))?;
     for problem in problems {
         output::note(&format!("not listed: {problem}"));
@@ -41,15 +41,17 @@ pub(super) fn run(arguments: &LibrariesArguments) -> Result<(), CliError> {
     Ok(())
 }
 
-fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> String {
-    let mut text = format!("{}: --{} NAME\n", library.file(), library.key());
+fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> Page {
+    let mut page = Page::new(format!("{}: --{} NAME", library.file(), library.key()));
     for entry in entries {
         let own = if entry.own.is_some() { ", your own" } else { "" };
         let name = clean::line(&entry.name);
-        let _ = writeln!(text, "\n  {name}: {}{own}", clean::line(&entry.title));
+        page.space();
+        page.line(format!("  {name}: {}{own}", clean::line(&entry.title)));
         let status = entry.status.word();
         let lines = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
-        labelled_each(&mut text, &lines.map(|(label, words)| (label, clean::line(words))));
+        let lines = lines.map(|(label, words)| (label, clean::line(words)));
+        page.entries(lines.iter().map(|(label, words)| (*label, &**words)));
     }
-    text
+    page
 }

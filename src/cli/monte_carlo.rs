@@ -1,21 +1,18 @@
 //! `cmra montecarlo [SCENE]`: distribution of results for random inputs, as a page, CSV or JSON.
 
-use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::study::{Random, StudyArguments};
-use crate::cli::text::width;
 use crate::cli::value_parsers::{deviation, part};
 use cmra_engine::model::scene::Scene;
-use cmra_studies::report::monte_carlo::{self, drawn_again, perforation, table};
+use cmra_studies::report::monte_carlo::{self, page, table};
 use cmra_studies::report::verdict::sentence;
-use cmra_studies::study::context::Reach;
 use cmra_studies::study::monte_carlo::{
-    DEFAULT_DEVIATION, DEFAULT_LIMIT_SAMPLES, DEFAULT_SAMPLES, LIMIT, MonteCarloReport, Request,
-    SAMPLES, Tolerance, run as study,
+    DEFAULT_DEVIATION, DEFAULT_LIMIT_SAMPLES, DEFAULT_SAMPLES, LIMIT, Request, SAMPLES, Tolerance,
+    run as study,
 };
 use cmra_studies::study::quantities::{Quantity, named};
 use cmra_studies::study::sweep::PointOutcome;
@@ -115,37 +112,4 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let failed = Some(report.outcomes.failed).filter(|failed| *failed > 0);
     let failed = failed.map(|failed| format!("{failed} samples failed and are not counted"));
     Ok(extent.exit_code_after(failed))
-}
-
-fn page(name: &str, report: &MonteCarloReport, (answer, reach): (&str, Reach)) -> String {
-    let early = if reach.is_complete() { "" } else { ", stopped early" };
-    let mut page =
-        format!("{name}: {} samples, seed {}{early}\n{answer}\n\n", report.samples, report.seed);
-    for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
-        let again = drawn_again(*redrawn).map(|text| format!("   truncated: {text}"));
-        let _ = writeln!(page, "  {tolerance}{}", again.unwrap_or_default());
-    }
-    let _ = writeln!(page, "\n{}", report.outcomes);
-    if let Some(perforation) = perforation(report) {
-        let _ = writeln!(page, "{perforation}");
-    }
-    if let Some(error) = monte_carlo::model_error(report) {
-        let _ = writeln!(page, "{error}");
-    }
-    let mut table = table(name, report);
-    table.rows.retain(|summary| summary.deviation.is_some());
-    page.push('\n');
-    let some_lack = table.rows.iter().any(|summary| summary.sorted.len() < report.samples);
-    let keys = ["output", "nominal", "mean", "q05", "q50", "q95", "deviation", "count"];
-    page += &table.page(&keys[..if some_lack { 8 } else { 7 }], width());
-    let absent: Vec<String> = report
-        .summaries
-        .iter()
-        .filter(|summary| summary.deviation.is_none())
-        .map(|summary| summary.measure.title())
-        .collect();
-    if !absent.is_empty() {
-        let _ = writeln!(page, "  without values: {}", absent.join(", "));
-    }
-    page
 }

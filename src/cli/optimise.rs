@@ -1,25 +1,16 @@
 //! `cmra optimise [SCENE] --over ...`: Pareto front, as a page, CSV or JSON.
 
-use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::study::{StudyArguments, axes};
-use crate::cli::text::{hanging, width};
 use crate::cli::value_parsers::count;
-use cmra_engine::model::units::significant;
-use cmra_studies::report::front;
-use cmra_studies::report::table::{Cells, grid};
-use cmra_studies::study::context::Reach;
+use cmra_studies::report::front::{self, page};
 use cmra_studies::study::search::front::{
-    Constraint, FrontReport, Objective, Request, SAMPLES, STEPS_MAX, default_bounds, run as search,
+    Constraint, Objective, Request, SAMPLES, default_bounds, run as search,
 };
-use cmra_studies::study::sweep::Spacing;
-
-/// Maximum number of designs that a page lists.
-const LISTED: usize = 16;
 
 #[derive(Debug, Args)]
 #[command(after_help = "QUANTITY is any quantity: `cmra explain` lists all. \
@@ -109,65 +100,4 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
         front::table(name, &front),
     )?;
     Ok(extent.exit_code(!front.designs.is_empty()))
-}
-
-fn page(name: &str, front: &FrontReport, reach: Reach) -> String {
-    let request = &front.request;
-    let objective = |it: &Objective| {
-        let most = if it.maximise { "greatest " } else { "least " };
-        most.to_owned() + &it.measure.title()
-    };
-    let objectives: Vec<String> = request.objectives.iter().map(objective).collect();
-    let mut page = format!("{name}: {}\n", objectives.join(", "));
-    for constraint in &request.subject_to {
-        let _ = writeln!(page, "  subject to {}", constraint.label());
-    }
-    if request.is_feasible {
-        let _ = writeln!(page, "  {} (--no-feasibility switches this off)", front::FEASIBLE);
-    }
-    for axis in &request.over {
-        let (low, high) = axis.ends();
-        let log = if axis.spacing() == Spacing::Log { " (log)" } else { "" };
-        let (low, high) = (significant(low, 4), axis.show(high, 4));
-        let _ = writeln!(page, "  {:8}{low} .. {high}{log}", axis.symbol());
-    }
-    designs(&mut page, front, reach);
-    page
-}
-
-fn designs(page: &mut String, front: &FrontReport, reach: Reach) {
-    let count = front.designs.len();
-    let kind = match (front.request.objectives.len(), count) {
-        (_, 0) if front.lacks.iter().any(|it| it.count == front.runs) => "no design".to_owned(),
-        (_, 0) => "no design satisfies every constraint".to_owned(),
-        (1, _) => "the best design".to_owned(),
-        (_, _) => format!("a front of {count} designs"),
-    };
-    let early = if reach.is_complete() { "" } else { ", stopped early" };
-    let (law, runs) = (front.base.interface.law.word(), front.runs);
-    let _ = writeln!(page, "\ninterface {law}: {kind} ({runs} runs{early})");
-    if front.given_up > 0 {
-        let count = front.given_up;
-        let _ = writeln!(
-            page,
-            "  {count} runs stopped after {STEPS_MAX} steps: such designs count as failed"
-        );
-    }
-    for lack in front::lacks(front) {
-        *page += &hanging("  ", &lack, 2);
-    }
-    // Evenly spaced along the front, including both ends.
-    let listed = count.min(LISTED);
-    if count > 0 {
-        let place = |at: usize| if listed > 1 { at * (count - 1) / (listed - 1) } else { 0 };
-        let mut table = front::table("", front);
-        table.rows = (0..listed).map(place).collect();
-        let numbers = (0..listed).map(|at| (place(at) + 1).to_string()).collect();
-        let mut cells = vec![Cells { head: String::new(), is_text: false, cells: numbers }];
-        cells.extend(table.cells(&front::page_keys(front)));
-        *page += &grid(&cells, width());
-    }
-    if listed < count {
-        let _ = writeln!(page, "      ({listed} of {count}; --csv FILE has them all)");
-    }
 }

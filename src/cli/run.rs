@@ -1,6 +1,5 @@
 //! `cmra run SCENE`: one impact, as a readable summary, as JSON, as CSV, or with charts in plain text.
 
-use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -14,27 +13,24 @@ use crate::cli::progress::{Extent, ProgressLine};
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::TableArguments;
-use crate::cli::text::{chart_size, fitted, hanging, width};
 use crate::cli::value_parsers::above_zero;
-use crate::cli::{CliError, Glyphs, draw, output};
-use crate::files::clean;
+use crate::cli::{CliError, Glyphs, output, text};
 use crate::files::export::scenes;
 use crate::files::preset::Preset;
 use crate::files::read_traces::traces;
+use crate::tui::plain::TextStyle;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
-use cmra_engine::model::run::envelope::warnings;
 use cmra_engine::model::run::{EVERY_ROWS_MAX, Run};
 use cmra_engine::model::scene::{ContactModel, Scene};
 use cmra_engine::model::simulate::{self, RunSnapshot, Settings};
 use cmra_engine::model::units::{Dimension, engineering};
 use cmra_engine::model::variables::{self, VariableError};
-use cmra_studies::report::figures::run::{mechanism, response, selected};
-use cmra_studies::report::run::page::{computation, energy, events_in_brief, results, sentence};
+use cmra_studies::report::figures::run::selected;
+use cmra_studies::report::page::Page;
+use cmra_studies::report::run::page::page;
 use cmra_studies::report::run::{self as report, NamedRun};
 use cmra_studies::report::svg::Picture;
 use cmra_studies::report::traces::Traces;
-use cmra_studies::report::verdict;
-use cmra_studies::study::stack;
 
 #[derive(Debug, Args)]
 #[command(
@@ -168,15 +164,11 @@ pub(super) fn print_readable(
     charts: Option<Glyphs>,
     table: &TableArguments,
 ) -> Result<(), CliError> {
-    let mut text = summary(name, run, table);
-    if let Some(traces) = with {
-        text.push('\n');
-        text += &traces.page(run, width());
-    }
-    if let Some(glyphs) = charts {
-        text.push_str(&drawn(run, with, glyphs));
-    }
-    output::print(&fitted(&text))
+    // ASCII is available in every locale.
+    let glyphs = charts.and_then(Glyphs::chosen).unwrap_or(GlyphSet::Ascii);
+    let theme = Theme { glyphs, depth: ColourDepth::None };
+    let page = page(name, run, with, charts.is_some());
+    output::print(&text::plain(&page, TextStyle { theme, ..table.style() }))
 }
 
 /// Returns exit code 0 for a complete run, 1 for a run that ended early.
@@ -199,9 +191,6 @@ fn named(name: &str, first: &Arc<Run>) -> Vec<NamedRun> {
         .collect()
 }
 
-/// Size of a chart below the summary: columns and rows.
-const SIZE: draw::Size = (78, 15);
-
 impl Glyphs {
     /// Returns the selected character set; `None` for `auto`.
     pub(super) fn chosen(self) -> Option<GlyphSet> {
@@ -212,51 +201,6 @@ impl Glyphs {
             Self::Braille => Some(GlyphSet::Braille),
         }
     }
-}
-
-/// Draws the charts of a run and of its mechanism, one below the other. The contact comes first: it ends within a fraction of a
-/// millisecond. The event lines have the letters of the event list in the summary.
-fn drawn(run: &Run, with: Option<&Traces>, glyphs: Glyphs) -> String {
-    // ASCII is available in every locale.
-    let glyphs = glyphs.chosen().unwrap_or(GlyphSet::Ascii);
-    let theme = Theme { glyphs, depth: ColourDepth::None };
-    let charts = response(run, with).into_iter().chain(mechanism(run));
-    charts.fold(String::new(), |text, chart| {
-        text + "\n" + &draw::chart(&chart, chart_size(SIZE), theme)
-    })
-}
-
-fn summary(name: &str, run: &Run, table: &TableArguments) -> String {
-    let title = clean::line(&run.scene.title);
-    let title = if title.is_empty() || title == name {
-        name.to_owned()
-    } else {
-        format!("{name}: {title}")
-    };
-    let mut page = title + "\n";
-    if let Some(stack) = &run.stack {
-        for line in stack::table(run, stack) {
-            let _ = writeln!(page, "{line}");
-        }
-        page.push_str("\nelement 1 in full:\n");
-    }
-    let _ = writeln!(page, "{}\n{}\n", sentence(run), verdict::of_run(run));
-    for line in results(run) {
-        let _ = writeln!(page, "{line}");
-    }
-    page += &table.warnings(&warnings(run));
-    let sections = [
-        ("energy", energy(&run.ledger)),
-        ("events", events_in_brief(run)),
-        ("computation", computation(run, run.cost.took_s)),
-    ];
-    for (heading, lines) in sections.into_iter().filter(|(_, lines)| !lines.is_empty()) {
-        let _ = writeln!(page, "\n{heading}");
-        for line in lines {
-            let _ = writeln!(page, "  {line}");
-        }
-    }
-    page
 }
 
 /// Runs the scene with every contact model; a model that does not apply has no row.
@@ -287,15 +231,16 @@ fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         "max_plate_displacement_m",
         "peak_contact_force_n",
     ];
-    let mut page = format!(
-        "{}: the interaction models of Table 8.1\n\n{}\n",
-        preset.heading,
-        report::comparison(rows).page(&keys, width())
-    );
+    let title = format!("{}: the interaction models of Table 8.1", preset.heading);
+    let mut page = Page::new(title);
+    page.space();
+    page.table(report::comparison(rows).cells(&keys));
+    page.space();
     for ((name, _), remark) in runs.iter().zip(remarks) {
-        page += &hanging(&format!("{name:<18}"), &remark, 18);
+        page.fact(name.clone(), 18, remark);
     }
-    page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
+    let text = "not included: the fifth model of Table 8.1 needs a finite element solver";
+    page.fact("finite elements    ", 19, text);
     let source = (&arguments.scene.changes, &preset.scene, "run --compare models".to_owned());
     let extent = Extent::of_runs(runs.iter().map(|(_, run)| &**run));
     arguments.table.deliver(

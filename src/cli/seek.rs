@@ -1,19 +1,14 @@
 //! `cmra seek [SCENE] --over k=0..7.5e6 --goal percent_of_baseline=60`: values of a variable for which a quantity reaches a goal.
 
-use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::study::StudyArguments;
-use cmra_engine::model::units::shortest;
-use cmra_studies::report::seek::{self, remarks, solution};
-use cmra_studies::study::context::Reach;
-use cmra_studies::study::search::seek::{
-    DEFAULT_SCAN, Goal, Request, SCAN, SeekReport, run as solve,
-};
-use cmra_studies::study::sweep::{Axis, Spacing};
+use cmra_studies::report::seek::{self, page};
+use cmra_studies::study::search::seek::{DEFAULT_SCAN, Goal, Request, SCAN, run as solve};
+use cmra_studies::study::sweep::Axis;
 
 #[derive(Debug, Args)]
 #[command(
@@ -66,27 +61,4 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         seek::table(name, &report),
     )?;
     Ok(extent.exit_code(report.solutions().next().is_some()))
-}
-
-/// Returns the page of results.
-fn page(name: &str, report: &SeekReport, reach: Reach) -> String {
-    let axis = &report.axis;
-    let (low, high) = axis.ends();
-    let spacing = if axis.spacing() == Spacing::Log { ", at equal ratios" } else { "" };
-    let (symbol, measure, points) = (axis.symbol(), report.measure.title(), report.scan.len());
-    let (target, runs) = (report.measure.show(report.target, 6), report.runs);
-    let [low, high] = [low, high].map(|end| axis.show(end, 6));
-    let mut page = format!(
-        "{name}: which {symbol} gives {measure} = {target}?\n{points} points from {low} to {high}{spacing}, {runs} runs in all\n\n"
-    );
-    let solutions = report.solutions().zip(&report.checked);
-    let solutions = solutions.map(|(found, checked)| solution(report, found, checked));
-    for line in solutions.chain(remarks(report, reach).into_iter().map(|remark| remark.text)) {
-        let _ = writeln!(page, "  {line}");
-    }
-    if let Some(solution) = report.solutions().next() {
-        let set = format!("{symbol}={}", shortest(solution.place.at));
-        let _ = writeln!(page, "\n`--set {set}` runs it");
-    }
-    page
 }

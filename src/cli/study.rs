@@ -10,8 +10,8 @@ use crate::cli::table::TableArguments;
 use crate::files::preset::Preset;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
-use cmra_studies::report::table::Table;
-use cmra_studies::report::table::texts;
+use cmra_studies::report::page::{Block, Page};
+use cmra_studies::report::table::{Table, texts};
 use cmra_studies::study::context::Context;
 use cmra_studies::study::monte_carlo::DEFAULT_SEED;
 use cmra_studies::study::parallel::cores;
@@ -51,11 +51,11 @@ impl StudyArguments {
         extent: Extent,
         (scene, command): (&Scene, String),
         warnings: &[Warning],
-        (page, mut object): (String, Value),
+        (mut page, mut object): (Page, Value),
         rows: Table<'_, R>,
     ) -> Result<(), CliError> {
         object["warnings"] = texts(warnings);
-        let page = page + &self.table.warnings(warnings);
+        page.push(Block::Warnings(warnings.to_vec()));
         let rows = rows.with_warnings(warnings);
         let source = (&self.scene.changes, scene, command);
         self.table.deliver(extent, Some(source), &page, Some(object), rows)

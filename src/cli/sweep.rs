@@ -17,14 +17,15 @@ use crate::cli::progress::interruptible;
 use crate::cli::scene::SceneArguments;
 use crate::cli::study::Threads;
 use crate::cli::table::TableArguments;
-use crate::cli::text::fitted;
-use crate::cli::{CliError, output, progress};
+use crate::cli::{CliError, output, progress, text};
 use crate::files::atomic::PartialFile;
 use crate::files::export::{self, Sidecar};
 use crate::files::preset::Preset;
+use crate::tui::plain;
 use axes::PointArguments;
 use cmra_engine::model::scene::Scene;
-use cmra_studies::report::sweep::{Columns, Piece, SweepWriter, json_tail};
+use cmra_studies::report::page::{Block, Page};
+use cmra_studies::report::sweep::{self as report, Columns, Piece, SweepWriter, json_tail};
 use cmra_studies::study::context::{Context, Progress, Reach, Work};
 use cmra_studies::study::outcome::OutcomeCounts;
 use cmra_studies::study::quantities;
@@ -98,9 +99,11 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let mut kept = if keeps { Grid::new(Arc::clone(&plan)) } else { None };
     let ended = job.rows(arguments, columns, file, &mut kept)?;
     if !rows_wanted && !arguments.pictures.is_stdout() {
-        let text = job.page(ended, kept.as_ref(), start.elapsed().as_secs_f64())
-            + &arguments.table.warnings(&validity::of_plan(&plan));
-        output::print(&fitted(&(arguments.scene.changes.changed() + &text)))?;
+        let mut page = job.page(ended, kept.as_ref(), start.elapsed().as_secs_f64());
+        page.push(Block::Warnings(validity::of_plan(&plan)));
+        let missing = job.missing(ended).map_or_else(String::new, |it| it + "\n\n");
+        let head = arguments.scene.changes.changed() + &missing;
+        output::print(&(head + &text::plain(&page, arguments.table.style())))?;
     }
     let reach = Reach::new(job.missing(ended).is_some(), Progress::default());
     arguments.pictures.write(&arguments.table, reach, || page::pictures(kept.as_ref(), columns))?;
@@ -146,7 +149,7 @@ impl Job<'_> {
             let chosen = columns == Columns::Chosen;
             let warnings = if chosen { validity::of_plan(self.plan) } else { Vec::new() };
             if !warnings.is_empty() {
-                output::note(table.warnings(&warnings).trim());
+                output::note(plain::warnings(&warnings, table.style()).join("\n").trim());
             }
             let took = page::duration(start.elapsed().as_secs_f64());
             output::note(&format!("{} points in {took}: {}", ended.total(), ended));
@@ -158,12 +161,11 @@ impl Job<'_> {
         ExitCode::SUCCESS
     }
 
-    fn page(&self, ended: OutcomeCounts, kept: Option<&Grid>, took_s: f64) -> String {
+    fn page(&self, ended: OutcomeCounts, kept: Option<&Grid>, took_s: f64) -> Page {
         let (took, threads) = (page::duration(took_s), self.threads);
         let plural = if threads == 1 { "" } else { "s" };
         let how = format!("in {took} on {threads} thread{plural}");
-        let missing = self.missing(ended).map_or_else(String::new, |it| it + "\n\n");
-        missing + &page::text(&self.preset.heading, self.plan, (ended, &how), kept)
+        report::page(&self.preset.heading, self.plan, (ended, &how), kept)
     }
 
     /// Computes all points, and writes their rows where they are to go.

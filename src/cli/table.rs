@@ -12,8 +12,10 @@ use crate::cli::{CliError, output, text};
 use crate::files::atomic::OverwritePolicy;
 use crate::files::error::FileError;
 use crate::files::export::{Destination, Sidecar};
-use cmra_engine::model::run::Warning;
+use crate::tui::plain::TextStyle;
+use crate::tui::theme::Theme;
 use cmra_engine::model::scene::Scene;
+use cmra_studies::report::page::Page;
 use cmra_studies::report::table::{Table, pretty};
 
 /// Arguments of the output of a table: `--json`, `--csv FILE`, `--force`.
@@ -63,26 +65,11 @@ impl TableArguments {
         Some(Destination { path, existing: self.existing() })
     }
 
-    /// Formats warnings below a result; short on a terminal unless `--verbose` is given.
-    pub(super) fn warnings(&self, warnings: &[Warning]) -> String {
-        if warnings.is_empty() {
-            return String::new();
-        }
-        let room = text::width() - 4;
+    /// Returns the layout of the page; warnings are short on a terminal unless `--verbose` is given.
+    pub(super) fn style(&self) -> TextStyle {
         // The reader of a pipe cannot repeat the command: the full text.
-        let is_full = self.verbose || !text::is_screen();
-        let line = |warning: &Warning| {
-            let whole = warning.to_string();
-            let is_whole = is_full || warning.breach.is_none() && whole.chars().count() <= room;
-            text::hanging("  ! ", &if is_whole { whole } else { warning.short() }, 4)
-        };
-        let lines = warnings.iter().map(line);
-        let how = if is_full {
-            ""
-        } else {
-            " (`cmra explain NAME` explains one; --verbose prints them in full)"
-        };
-        format!("\nwarnings{how}\n{}", lines.collect::<String>())
+        let is_brief = !self.verbose && text::is_screen();
+        TextStyle { width: text::width(), theme: Theme::PLAIN, is_brief }
     }
 
     /// Returns the policy for an existing file.
@@ -112,7 +99,7 @@ impl TableArguments {
         &self,
         extent: Extent,
         source: Option<Source<'_>>,
-        page: &str,
+        page: &Page,
         object: Option<Value>,
         rows: Table<'_, R>,
     ) -> Result<(), CliError> {
@@ -126,7 +113,8 @@ impl TableArguments {
         output::print(&match object {
             _ if !self.json => {
                 let missing = extent.missing().map(|missing| missing + "\n\n");
-                text::fitted(&(missing.unwrap_or_default() + &changed.unwrap_or_default() + page))
+                let head = missing.unwrap_or_default() + &changed.unwrap_or_default();
+                head + &text::plain(page, self.style())
             }
             Some(mut object) => {
                 object["complete"] = extent.reach.is_complete().into();

@@ -14,7 +14,7 @@ use cmra_studies::report::figures::run::selected;
 use cmra_studies::report::figures::sweeps::picture;
 use cmra_studies::report::limit::{answer, meaning, remarks, residual, taken_to_hold};
 use cmra_studies::report::measured;
-use cmra_studies::report::run::page::{of_first, sentence};
+use cmra_studies::report::run::page::{of_first, sentence, titled};
 use cmra_studies::report::svg::Picture;
 use cmra_studies::study::limit;
 use cmra_studies::study::measured::{Errors, errors, left_out};
@@ -39,13 +39,7 @@ pub fn html(
     limit: &limit::LimitReport,
     sweep: Option<&Grid>,
 ) -> String {
-    let title = clean::line(&scene.title);
-    let title = if title.is_empty() || title == name {
-        name.to_owned()
-    } else {
-        format!("{name}: {title}")
-    };
-    let mut page = Document::new(&title);
+    let mut page = Document::new(&titled(name, scene));
     page.paragraph(&run.stack.as_ref().map_or_else(|| sentence(run), |it| it.sentence()));
     page.paragraph(&answer(limit));
     // Warnings have a section of their own.

@@ -2,6 +2,8 @@
 //!
 //! A description knows neither screen nor file; the renderers make SVG and HTML of it, `tui::plain` lines of text.
 
+use std::borrow::Cow;
+
 pub mod accuracy;
 pub mod chart;
 pub mod clean;
@@ -15,6 +17,7 @@ pub mod limit;
 pub mod map;
 pub mod measured;
 pub mod monte_carlo;
+pub mod page;
 pub mod run;
 pub mod seek;
 pub mod sensitivity;
@@ -34,7 +37,7 @@ pub mod wrap;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
     /// Subject of the line; empty if the text contains it.
-    pub about: &'static str,
+    pub about: Cow<'static, str>,
     /// The words.
     pub text: String,
     /// Whether a reader has to take care.
@@ -43,12 +46,12 @@ pub struct Remark {
 
 impl Remark {
     /// Words about something.
-    pub fn new(about: &'static str, text: impl Into<String>) -> Self {
-        Self { about, text: text.into(), is_caution: false }
+    pub fn new(about: impl Into<Cow<'static, str>>, text: impl Into<String>) -> Self {
+        Self { about: about.into(), text: text.into(), is_caution: false }
     }
 
     /// Builds a line that asks for caution.
-    pub fn caution(about: &'static str, text: impl Into<String>) -> Self {
+    pub fn caution(about: impl Into<Cow<'static, str>>, text: impl Into<String>) -> Self {
         Self { is_caution: true, ..Self::new(about, text) }
     }
 }

@@ -173,10 +173,8 @@ fn faults_of_page(run: &Run, object: &Json) -> Vec<String> {
     }
     let lines = results(run);
     for (label, name) in SAID {
-        let line = lines
-            .iter()
-            .find(|line| line.strip_prefix(label).is_some_and(|rest| rest.starts_with("  ")));
-        let said = line.and_then(|line| read(&line[label.len()..]));
+        let line = lines.iter().find(|line| line.0 == label);
+        let said = line.and_then(|line| read(&line.1));
         let value = object[name].as_f64().filter(|_| !lower.iter().any(|it| it == name));
         if let (Some(said), Some(value)) = (said, value)
             && (said - value).abs() > 1e-5 * value.abs()

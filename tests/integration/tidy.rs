@@ -13,11 +13,12 @@ const LAYERS: [&[&str]; 3] =
 
 /// The layers within the workbench, in the same order; those in one row may name each other. What a page keeps is a part of the state,
 /// which knows no page.
-const WORKBENCH: [&[&str]; 9] = [
+const WORKBENCH: [&[&str]; 10] = [
     &["theme"],
     &["chart"],
     &["option", "keymap"],
     &["widgets"],
+    &["plain"],
     &["preset"],
     &["app", "message", "state"],
     &["pages"],
@@ -28,7 +29,6 @@ const WORKBENCH: [&[&str]; 9] = [
         "input",
         "backlog",
         "frame_scheduler",
-        "plain",
         "event_loop",
         "signals",
         "start",

@@ -3,16 +3,18 @@
 use serde_json::{Value, json};
 
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
+use crate::report::page::Page;
+use crate::report::svg::Picture;
 use crate::report::table::Table;
 use crate::report::table::{listed, texts};
 use crate::study::accuracy::method::{Method, Parameter};
-use crate::study::accuracy::reference::References;
+use crate::study::accuracy::reference::{Reference, References};
 use crate::study::accuracy::{
     AccuracyReport, Cheapest, Compared, MethodReport, OmissionGain, Point,
 };
 use crate::study::context::Reach;
 use cmra_engine::model::library;
-use cmra_engine::model::run::Warning;
+use cmra_engine::model::run::{Outcome, Warning};
 use cmra_engine::model::units::engineering;
 
 /// Point of a method.
@@ -209,4 +211,101 @@ pub fn error_over_time(report: &AccuracyReport) -> Option<Chart<'static>> {
         levels: levels(report),
         ..Chart::new(title, x, y, curves)
     })
+}
+
+/// Size of the chart in text.
+const SIZE: (u16, u16) = (80, 20);
+/// Columns of the table of methods.
+const KEYS: [&str; 6] =
+    ["letter", "method", "least_error", "run_time_s_to_1e-6", "run_time_s_to_1e-9", "cheapest"];
+
+/// Returns the report: advice, the chart of error against run time, the methods, answers and references.
+pub fn page(name: &str, report: &AccuracyReport, reach: Reach) -> Page {
+    let mut page = Page::new(format!("{name}: error against run time"));
+    page.space();
+    if reach.is_complete() {
+        page.line(advice(report));
+    }
+    if let Some(printed) = printed_scheme(report) {
+        page.line(format!("{printed}; T is the error of its step"));
+    }
+    page.space();
+    match error_over_time(report) {
+        Some(chart) => page.picture(Picture::Chart(chart), SIZE),
+        None => page.line("no method gave a result to compare"),
+    }
+    let pick = report.cheapest(TARGETS[1]).filter(|_| reach.is_complete()).map(|pick| pick.method);
+    let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
+    let table = methods(&report.methods).with("cheapest", "", "", mark);
+    page.space();
+    page.table(table.cells(&KEYS));
+    if !reach.is_complete() {
+        page.space();
+        page.line("not complete: no answer is drawn from these points");
+        return page;
+    }
+    answers(&mut page, report);
+    references(&mut page, report);
+    refusals(&mut page, report);
+    page
+}
+
+/// Appends the run times for some accuracies, and the gain from omitted terms.
+fn answers(page: &mut Page, report: &AccuracyReport) {
+    page.heading("run time for a given accuracy");
+    for target in ANSWERS {
+        let found = report.cheapest(target).map_or_else(
+            || "no method reaches it".to_owned(),
+            |found| format!("{} {}", seconds(found.min_s), by(&found)),
+        );
+        page.line(format!("  {target:>5.0e}: {found}"));
+    }
+    if !report.savings.is_empty() {
+        let keys = ["part", "with_s", "without_s", "gain"];
+        page.space();
+        page.table(savings(&report.savings).cells(&keys));
+    }
+}
+
+fn references(page: &mut Page, report: &AccuracyReport) {
+    page.heading("references (depth, time, relative uncertainty: methods)");
+    let mut compared: Vec<(Reference, String)> = Vec::new();
+    for method in &report.methods {
+        let Some(own) = method.reference else { continue };
+        let letter = method.method.letter();
+        match compared.iter_mut().find(|(reference, _)| reference.basis == own.basis) {
+            Some((_, letters)) => letters.push(letter),
+            None => compared.push((own, letter.to_string())),
+        }
+    }
+    for (reference, letters) in compared {
+        let [depth_m, time_s] =
+            [Compared::Depth, Compared::Time].map(|of| reference.results.get(of));
+        let depth = match reference.outcome {
+            Outcome::Perforated => "perforated".to_owned(),
+            _ => depth_m.map_or_else(|| "-".to_owned(), |depth_m| engineering(depth_m, "m", 6)),
+        };
+        let end = time_s.map_or_else(|| "-".to_owned(), |time_s| engineering(time_s, "s", 6));
+        let sure = reference
+            .uncertainty
+            .map_or_else(|| "unknown".to_owned(), |uncertainty| format!("{uncertainty:.0e}"));
+        let basis = reference.basis.label();
+        page.line(format!("  {basis:<23}{depth}, {end}, to {sure}: {letters}"));
+    }
+}
+
+fn refusals(page: &mut Page, report: &AccuracyReport) {
+    let mut heading = Some("without result");
+    for method in &report.methods {
+        for (words, points) in method.refusals() {
+            let which = match points.as_slice() {
+                [first, .., last] => format!("{} points, {first} to {last}", points.len()),
+                one => one.iter().map(ToString::to_string).collect(),
+            };
+            if let Some(heading) = heading.take() {
+                page.heading(heading);
+            }
+            page.line(format!("  {} {which}: {words}", method.method.letter()));
+        }
+    }
 }

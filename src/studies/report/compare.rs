@@ -6,8 +6,7 @@ use serde_json::{Map as Object, Value, json};
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, MapMark, Tone};
-use crate::report::table::Table;
-use crate::report::table::listed;
+use crate::report::table::{Cells, Table, listed};
 use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
 use crate::study::compare::{
@@ -22,6 +21,8 @@ use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{PlateSize, Scene};
 use cmra_engine::model::units::{fixed_significant, significant, velocity};
+
+pub mod page;
 
 /// Name and meaning of the contour on a map.
 const LINE: (&str, &str) = ("line of 1", ": above 1 the armour is lighter than the solid plate");
@@ -98,18 +99,12 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
     expected_columns(table, |it| it.shot.expected.as_ref())
 }
 
-/// Formats the candidates side by side, one quantity per line, for a page of this width.
-pub fn beside(report: &ComparisonReport, width: usize) -> String {
+/// Returns the candidates side by side, a column each, with a line for each quantity.
+fn beside(report: &ComparisonReport) -> Vec<Cells> {
     let has_class = report.entries.iter().any(|entry| entry.shot.expected.is_some());
     let lines: Vec<&str> =
         LINES.into_iter().filter(|key| has_class || !key.starts_with("expected_")).collect();
-    let mut page = table("", report).turned(&lines, width);
-    if report.entries.iter().any(|entry| !entry.is_held) {
-        page.push_str(
-            "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio\n",
-        );
-    }
-    page
+    table("", report).turned(&lines)
 }
 
 fn governed_by(entry: &Entry) -> &'static str {

@@ -2,9 +2,10 @@
 
 use serde_json::{Value, json};
 
-use crate::report::table::Table;
+use crate::report::page::Page;
+use crate::report::table::{Cells, Table};
 use crate::study::context::Reach;
-use crate::study::search::front::{FrontReport, MissingObjective};
+use crate::study::search::front::{FrontReport, MissingObjective, Objective, STEPS_MAX};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
@@ -99,6 +100,70 @@ pub fn page_keys(front: &FrontReport) -> Vec<&'static str> {
     let has_plastic = front.designs.iter().any(|design| design.plastic.is_some());
     let ends = ["outcome", "verdict"].into_iter().chain(has_plastic.then_some("plastic"));
     axes.chain(measures).chain(ends).collect()
+}
+
+/// Maximum number of designs that a page lists.
+const LISTED: usize = 16;
+
+/// Returns the report: the request, and designs evenly spaced along the front.
+pub fn page(title: &str, front: &FrontReport, reach: Reach) -> Page {
+    let request = &front.request;
+    let objective = |it: &Objective| {
+        let most = if it.maximise { "greatest " } else { "least " };
+        most.to_owned() + &it.measure.title()
+    };
+    let objectives: Vec<String> = request.objectives.iter().map(objective).collect();
+    let mut page = Page::new(format!("{title}: {}", objectives.join(", ")));
+    for constraint in &request.subject_to {
+        page.line(format!("  subject to {}", constraint.label()));
+    }
+    if request.is_feasible {
+        page.line(format!("  {FEASIBLE} (--no-feasibility switches this off)"));
+    }
+    for axis in &request.over {
+        let (low, high) = axis.ends();
+        let log = if axis.spacing() == Spacing::Log { " (log)" } else { "" };
+        let (low, high) = (significant(low, 4), axis.show(high, 4));
+        page.line(format!("  {:8}{low} .. {high}{log}", axis.symbol()));
+    }
+    designs(&mut page, front, reach);
+    page
+}
+
+fn designs(page: &mut Page, front: &FrontReport, reach: Reach) {
+    let count = front.designs.len();
+    let kind = match (front.request.objectives.len(), count) {
+        (_, 0) if front.lacks.iter().any(|it| it.count == front.runs) => "no design".to_owned(),
+        (_, 0) => "no design satisfies every constraint".to_owned(),
+        (1, _) => "the best design".to_owned(),
+        (_, _) => format!("a front of {count} designs"),
+    };
+    let early = if reach.is_complete() { "" } else { ", stopped early" };
+    let (law, runs) = (front.base.interface.law.word(), front.runs);
+    page.heading(format!("interface {law}: {kind} ({runs} runs{early})"));
+    if front.given_up > 0 {
+        let count = front.given_up;
+        page.line(format!(
+            "  {count} runs stopped after {STEPS_MAX} steps: such designs count as failed"
+        ));
+    }
+    for lack in lacks(front) {
+        page.fact("  ", 2, lack);
+    }
+    // Evenly spaced along the front, including both ends.
+    let listed = count.min(LISTED);
+    if count > 0 {
+        let place = |at: usize| if listed > 1 { at * (count - 1) / (listed - 1) } else { 0 };
+        let mut table = table("", front);
+        table.rows = (0..listed).map(place).collect();
+        let numbers = (0..listed).map(|at| (place(at) + 1).to_string()).collect();
+        let mut cells = vec![Cells { head: String::new(), is_text: false, cells: numbers }];
+        cells.extend(table.cells(&page_keys(front)));
+        page.table(cells);
+    }
+    if listed < count {
+        page.line(format!("      ({listed} of {count}; --csv FILE has them all)"));
+    }
 }
 
 /// Returns the whole report as an object; null for values that do not exist.

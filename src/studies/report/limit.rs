@@ -4,6 +4,8 @@ use serde_json::{Value, json};
 
 use crate::report::Remark;
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit};
+use crate::report::page::Page;
+use crate::report::svg::Picture;
 use crate::report::table::Table;
 use crate::report::verdict;
 use crate::study::limit::residual_law::ResidualLaw;
@@ -319,6 +321,51 @@ pub fn residual(report: &LimitReport, own_m_s: f64) -> Option<Chart<'static>> {
         marks: limit.into_iter().chain(own).collect(),
         ..Chart::new("residual velocity", x, y, curves.collect())
     })
+}
+
+/// Size of the chart in text.
+const SIZE: (u16, u16) = (80, 18);
+/// Column of a text beside its label.
+const LABEL: usize = 16;
+
+/// Returns the report: the answer, the curve of residual velocity, and remarks.
+pub fn page(title: &str, report: &LimitReport) -> Page {
+    let mut page = Page::new(format!("{title}: ballistic limit"));
+    page.space();
+    answers(&mut page, report);
+    page.space();
+    if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s) {
+        page.picture(Picture::Chart(chart), SIZE);
+    }
+    page.space();
+    let all = remarks(report).into_iter().chain(taken_to_hold(report)).chain(meaning(report));
+    page.remarks(all, LABEL);
+    page
+}
+
+/// Appends verdict, limits, criterion and margin.
+pub fn answers(page: &mut Page, report: &LimitReport) {
+    let own = report.scene.projectile.velocity_m_s;
+    page.fact("verdict", LABEL, answer(report));
+    let expected = report.verdict().expected;
+    let label = if expected.is_some() { "law alone" } else { "limit velocity" };
+    if let Some(expected) = expected {
+        page.fact("expected limit", LABEL, expected.words());
+    }
+    match report.limit {
+        Limit::Found { velocity_m_s, basis, .. } => {
+            let text = format!("{}, {}", velocity(velocity_m_s, 6), basis.words());
+            page.fact(label, LABEL, text);
+        }
+        Limit::Never | Limit::Always | Limit::Unknown => {
+            page.line(report.limit.absence().unwrap_or_default());
+        }
+    }
+    page.fact("criterion", LABEL, report.scene.target.criterion.label());
+    if let Some(margin) = report.margin() {
+        let (percent, own) = (100.0 * margin, velocity(own, 6));
+        page.fact("margin", LABEL, format!("{percent:+.1} % relative to the scene's {own}"));
+    }
 }
 
 #[cfg(test)]

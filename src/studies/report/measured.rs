@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::report::chart::{Axis, Chart, Curve, Scale, Unit};
+use crate::report::page::Page;
 use crate::report::table::Table;
 use crate::report::verdict;
 use crate::study::measured::{Errors, OUTPUTS, Row, errors};
@@ -50,7 +51,7 @@ pub fn rows(rows: &[Row]) -> Table<'_, &Row> {
 }
 
 /// Returns the columns of a page: those of measured quantities.
-pub fn page_keys(rows: &[Row]) -> Vec<&'static str> {
+fn page_keys(rows: &[Row]) -> Vec<&'static str> {
     let limit = [
         "measured_limit_m_s",
         "limit_velocity_m_s",
@@ -92,8 +93,22 @@ pub fn error_table(list: &[Errors]) -> Table<'_, &Errors> {
         .field("share_inside_band", |it| it.share_inside())
 }
 
-/// Formats the errors by class as lines of a page, with the class in the last column.
-pub fn error_lines(list: &[Errors]) -> String {
+/// Appends the rows, in the columns of measured quantities.
+pub fn list(page: &mut Page, list: &[Row]) {
+    page.table(rows(list).cells(&page_keys(list)));
+}
+
+/// Appends the errors by class and what their columns mean; nothing without errors.
+pub fn error_page(page: &mut Page, list: &[Row]) {
+    let list = errors(list);
+    if !list.is_empty() {
+        page.lines(error_lines(&list));
+        page.paragraph(ERRORS_MEAN, 0);
+    }
+}
+
+/// Formats the errors by class as lines below a heading, with the class in the last column.
+pub fn error_lines(list: &[Errors]) -> Vec<String> {
     let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
     let line = |it: &Errors| {
         let scatter = it.deviation.map_or_else(String::new, |it| format!("{:.1} %", 100.0 * it));
@@ -102,17 +117,17 @@ pub fn error_lines(list: &[Errors]) -> String {
         let [mean, rms] = [it.mean_absolute_m_s, it.rms_m_s].map(|it| format!("{it:.1}"));
         let (class, bias) = (it.group.as_deref().unwrap_or("all"), percent(it.bias));
         let (rows, papers) = (it.rows, it.papers);
-        format!("{rows:>4}{papers:>5}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} {class}\n")
+        format!("{rows:>4}{papers:>5}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} {class}")
     };
     let [rows, papers, bias, scatter, mean, rms, inside] =
         ["rows", "from", "bias", "sd", "mean", "RMS", "inside"];
     let head =
-        format!("{rows:>4}{papers:>5}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} class\n");
-    list.iter().map(line).fold(head, |page, line| page + &line)
+        format!("{rows:>4}{papers:>5}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} class");
+    std::iter::once(head).chain(list.iter().map(line)).collect()
 }
 
 /// Explanation of the columns.
-pub const ERRORS_MEAN: &str = "from: number of papers; bias and sd: mean and standard deviation of computed over measured, less 1; mean: mean \
+const ERRORS_MEAN: &str = "from: number of papers; bias and sd: mean and standard deviation of computed over measured, less 1; mean: mean \
      absolute error, m/s; RMS: root mean square error, m/s; inside: part of the limits inside their 90 % band. Positive bias is \
      unconservative.";
 

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::report::page::Page;
 use crate::report::table::Table;
 use crate::report::verdict;
 use crate::study::context::Reach;
@@ -131,6 +132,36 @@ pub fn perforation(report: &MonteCarloReport) -> Option<String> {
     let [part, low, high] =
         [found.value, found.low_95, found.high_95].map(|part| significant(100.0 * part, 3));
     Some(format!("perforated: {part} % of the shots (95 % confidence: {low} to {high} %)"))
+}
+
+/// Returns the report: inputs, outcomes, and the table of the quantities; `answer` is the verdict on the scene's own shot.
+pub fn page(title: &str, report: &MonteCarloReport, (answer, reach): (&str, Reach)) -> Page {
+    let early = if reach.is_complete() { "" } else { ", stopped early" };
+    let (samples, seed) = (report.samples, report.seed);
+    let mut page = Page::new(format!("{title}: {samples} samples, seed {seed}{early}"));
+    page.line(answer);
+    page.space();
+    for (tolerance, redrawn) in report.tolerances.iter().zip(&report.redrawn) {
+        let again = drawn_again(*redrawn).map(|text| format!("   truncated: {text}"));
+        page.line(format!("  {tolerance}{}", again.unwrap_or_default()));
+    }
+    page.space();
+    page.line(report.outcomes.to_string());
+    for text in perforation(report).into_iter().chain(model_error(report)) {
+        page.line(text);
+    }
+    let mut table = table(title, report);
+    table.rows.retain(|summary| summary.deviation.is_some());
+    page.space();
+    let some_lack = table.rows.iter().any(|summary| summary.sorted.len() < report.samples);
+    let keys = ["output", "nominal", "mean", "q05", "q50", "q95", "deviation", "count"];
+    page.table(table.cells(&keys[..if some_lack { 8 } else { 7 }]));
+    let absent = report.summaries.iter().filter(|summary| summary.deviation.is_none());
+    let absent: Vec<String> = absent.map(|summary| summary.measure.title()).collect();
+    if !absent.is_empty() {
+        page.line(format!("  without values: {}", absent.join(", ")));
+    }
+    page
 }
 
 /// Returns the whole report as an object; null for values that do not exist.

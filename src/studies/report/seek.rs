@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::report::Remark;
+use crate::report::page::Page;
 use crate::report::table::Table;
 use crate::report::verdict::expected_columns;
 use crate::study::context::Reach;
@@ -13,7 +14,7 @@ use crate::study::verdict::Decision;
 use cmra_engine::model::library;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
-use cmra_engine::model::units::significant;
+use cmra_engine::model::units::{shortest, significant};
 
 /// Returns warnings about the rows: those of the solutions and of library entries.
 pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<Warning> {
@@ -86,6 +87,29 @@ pub fn remarks(report: &SeekReport, reach: Reach) -> Vec<Remark> {
         remarks.push(Remark::new("", format!("no value {range}: {why}")));
     }
     remarks
+}
+
+/// Returns the report: the question, the solutions with further remarks, and how to run the first one.
+pub fn page(title: &str, report: &SeekReport, reach: Reach) -> Page {
+    let axis = &report.axis;
+    let (low, high) = axis.ends();
+    let spacing = if axis.spacing() == Spacing::Log { ", at equal ratios" } else { "" };
+    let (symbol, measure, points) = (axis.symbol(), report.measure.title(), report.scan.len());
+    let (target, runs) = (report.measure.show(report.target, 6), report.runs);
+    let [low, high] = [low, high].map(|end| axis.show(end, 6));
+    let mut page = Page::new(format!("{title}: which {symbol} gives {measure} = {target}?"));
+    page.line(format!("{points} points from {low} to {high}{spacing}, {runs} runs in all"));
+    page.space();
+    let solutions = report.solutions().zip(&report.checked);
+    let solutions = solutions.map(|(found, checked)| solution(report, found, checked));
+    for text in solutions.chain(remarks(report, reach).into_iter().map(|remark| remark.text)) {
+        page.line(format!("  {text}"));
+    }
+    if let Some(solution) = report.solutions().next() {
+        page.space();
+        page.line(format!("`--set {symbol}={}` runs it", shortest(solution.place.at)));
+    }
+    page
 }
 
 /// Returns the table of the report.

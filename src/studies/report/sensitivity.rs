@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::report::page::Page;
 use crate::report::table::Table;
 use crate::study::sensitivity::{Effect, POINTS, SensitivityReport};
 use cmra_engine::model::units::{Dimension, in_unit, significant};
@@ -51,11 +52,11 @@ pub fn table<'c>(name: &'c str, report: &'c SensitivityReport) -> Table<'c, usiz
         .field("points", move |at| effect(at).computed())
 }
 
-/// Columns of [`page`], the most important first.
+/// Columns of [`bars`], the most important first.
 pub const COLUMNS: [&str; 5] = ["variable", "bar", "span", "slope", "range"];
 
-/// Returns the table of a page, sorted by decreasing effect, with texts and a bar such as `|  ..:-=#|`.
-pub fn page(report: &SensitivityReport, levels: [char; 8]) -> Table<'_, usize> {
+/// Returns the table for readers, sorted by decreasing effect, with texts and a bar such as `|  ..:-=#|`.
+pub fn bars(report: &SensitivityReport, levels: [char; 8]) -> Table<'_, usize> {
     let effect = |at: &usize| &report.effects[*at];
     let scale = report.scale();
     let span = move |at: &usize| {
@@ -73,6 +74,41 @@ pub fn page(report: &SensitivityReport, levels: [char; 8]) -> Table<'_, usize> {
             slope_words(report, effect(at), &Shown { unit: "", ..usual(effect(at)) })
         })
         .with("range", "range", "", move |at| range_words(effect(at), &usual(effect(at))))
+}
+
+/// Columns of the page in reading order.
+const KEYS: [&str; 5] = ["variable", "range", "bar", "span", "slope"];
+
+/// Returns the report: the bars of all variables, and what they mean.
+pub fn page(title: &str, report: &SensitivityReport, levels: [char; 8], is_usual: bool) -> Page {
+    let own = report.output.show_any(report.own.and_then(|own| own.result), 4);
+    let mut page = Page::new(format!("{title}: what {} depends on", report.output.title()));
+    page.line(format!("the scene itself: {own}"));
+    if is_usual {
+        page.paragraph(
+            "one variable at a time: the ranges of Table 9.2, else a quarter to four times the scene's value by logarithm; \
+             --over NAME=LO..HI, repeated, varies others instead",
+            2,
+        );
+    }
+    page.space();
+    let Some(scale) = report.scale().filter(|_| !report.is_empty()) else {
+        page.line("nothing to compare: no run has this result; choose another one: --output");
+        return page;
+    };
+    page.table(bars(report, levels).cells(&KEYS));
+    let top = report.output.show(scale, 3);
+    let through = if report.effects.iter().any(Effect::perforates) {
+        "; P: shots perforate within the range"
+    } else {
+        ""
+    };
+    page.space();
+    let bars = format!(
+        "bars: 0 to {top}, the 95th percentile of all runs; here: by the slope at the scene's value{through}"
+    );
+    page.paragraph(bars, 2);
+    page
 }
 
 /// Display of a variable's values: a number in a unit.

@@ -4,10 +4,12 @@ use serde_json::{Value, json};
 
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::report::map::{self, MapMark, Tone};
+use crate::report::page::{MAP, Page};
+use crate::report::svg::Picture;
 use crate::report::table::Table;
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
-use crate::study::stability::{FailureReason, Row};
+use crate::study::stability::{ERROR_MAX, FailureReason, RESIDUAL_MAX, Row};
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::units::engineering;
 use cmra_engine::model::variables::find;
@@ -58,6 +60,70 @@ pub fn json(rows: &[Row]) -> Value {
     let short = rows.iter().filter(|row| row.shortfall.is_some()).count();
     let list = table(rows).objects(|_| true);
     json!({ "rows": list, "count": rows.len(), "short": short })
+}
+
+/// Returns a sentence for each scene that fails.
+pub fn failures(rows: &[Row]) -> impl Iterator<Item = String> {
+    rows.iter().filter_map(|row| {
+        let (name, end) = (row.case.name, row.run.end.words());
+        Some(format!("{name} fails: {} ({end})", row.shortfall?.words()))
+    })
+}
+
+/// Legend of the columns, a line each.
+const LEGEND: [(&str, &str); 2] = [
+    ("ends", "arrested, perforated, separated, moving (undecided), or CUT"),
+    (
+        "error",
+        "the greatest of depth, times, displacement, velocity and forces, against s stored digits, D DOP853 at 1e-13 \
+     or R Radau IIA of order 5 at 1e-12, or t this solver at 1e-13 where both fail",
+    ),
+];
+
+/// Returns the report of the test scenes: table, legend and a summary line; `missing` says what an interrupt left out.
+pub fn battery_page(rows: &[Row], took_s: f64, is_wide: bool, missing: Option<String>) -> Page {
+    let mut keys = vec!["scene"];
+    keys.extend(HOW_IT_RAN);
+    if is_wide {
+        keys.extend(["reference", "why_hard"]);
+    }
+    let mut page = Page::default();
+    page.table(table(rows).cells(&keys));
+    page.lines(failures(rows));
+    page.space();
+    for (label, text) in LEGEND {
+        page.fact(label, 12, text);
+    }
+    page.space();
+    match missing {
+        Some(missing) => page.line(missing),
+        None => summary(&mut page, rows, took_s),
+    }
+    page
+}
+
+fn summary(page: &mut Page, rows: &[Row], took_s: f64) {
+    let short: Vec<&str> =
+        rows.iter().filter(|row| row.shortfall.is_some()).map(|row| row.case.name).collect();
+    let without = rows.iter().filter(|row| row.basis.is_none()).count();
+    let (all, passed) = (rows.len(), rows.len() - short.len());
+    page.line(format!(
+        "{passed} of {all} scenes pass (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {took_s:.1} s"
+    ));
+    if !short.is_empty() {
+        page.line(format!("auto fails on: {}", short.join("; ")));
+    }
+}
+
+/// Returns the report of a map of a method with a fixed step.
+pub fn map_page(map: &Map, scene: &str) -> Page {
+    let (method, symbol) = (map.method.name(), map.axis.symbol());
+    let mut page = Page::new(format!(
+        "{method} on {scene}: time step against {symbol}; a run uses auto, for which see cmra accuracy"
+    ));
+    page.space();
+    page.picture(Picture::Map(picture(map)), MAP);
+    page
 }
 
 /// The map, one row a cell.

@@ -7,16 +7,19 @@ use std::rc::Rc;
 
 use serde_json::{Value, json};
 
-use crate::report::table::{Table, pretty};
-use crate::report::table::{listed, texts};
+use crate::report::figures::sweeps::picture;
+use crate::report::page::{CHART, MAP, Page};
+use crate::report::table::{Table, listed, pretty, texts};
 use crate::report::verdict;
 use crate::study::context::Reach;
+use crate::study::outcome::OutcomeCounts;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Evaluator, Plan, Point, Shard, Spacing};
+use crate::study::sweep::{Axis, Evaluator, Plan, Point, PointOutcome, Shard, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
 use cmra_engine::model::run::{Run, envelope};
 use cmra_engine::model::scene::{Scene, Sweep};
+use cmra_engine::model::units::shortest;
 use cmra_engine::model::variables;
 
 /// Columns after the axes.
@@ -182,4 +185,84 @@ fn axis_json(axis: &Axis) -> Value {
 /// The word of a variable in a scene.
 fn word(scene: &Scene, key: &str) -> Option<String> {
     variables::find(key).ok().map(|variable| variable.show(scene))
+}
+
+/// Maximum number of rows of the table of a sweep with one axis.
+const TABLE_ROWS: u64 = 13;
+
+/// Returns the page of a sweep; `how` has the run time and the number of threads.
+pub fn page(
+    title: &str,
+    plan: &Plan,
+    (ended, how): (OutcomeCounts, &str),
+    kept: Option<&Grid>,
+) -> Page {
+    let axes: Vec<String> = plan.axes().iter().map(axis_words).collect();
+    let mut page = Page::new(format!("{title}: {}", axes.join("; ")));
+    page.line(format!("{} points {how}", ended.total()));
+    page.space();
+    if let Some(grid) = kept.filter(|grid| grid.is_complete()) {
+        for output in 0..plan.outputs().len() {
+            drawn(&mut page, grid, output);
+        }
+        if let [axis] = plan.axes() {
+            values(&mut page, grid, axis);
+        }
+    }
+    page.line(ended.to_string());
+    page
+}
+
+fn axis_words(axis: &Axis) -> String {
+    if axis.spacing() == Spacing::Listed {
+        let unit = axis.variable().unit();
+        let values = format!("{} = {} {unit}", axis.symbol(), axis.range().replace(',', ", "));
+        return format!("{}, {} points", values.trim_end(), axis.count());
+    }
+    let (from, to) = axis.ends();
+    let unit = axis.variable().unit();
+    let log = if axis.spacing() == Spacing::Log { " at equal ratios" } else { "" };
+    let ends = format!("{} to {} {unit}", shortest(from), shortest(to));
+    format!("{} {}{log}, {} points", axis.symbol(), ends.trim_end(), axis.count())
+}
+
+/// Appends the chart of an output.
+fn drawn(page: &mut Page, grid: &Grid, output: usize) {
+    let column = grid.plan().outputs()[output];
+    let is_axis = grid.plan().axes().len() == 1;
+    let Some(picture) = picture(grid, output) else {
+        let where_to = if is_axis { "axis" } else { "grid" };
+        page.line(format!("{}: no value anywhere on this {where_to}", column.title()));
+        page.space();
+        return;
+    };
+    let size = if is_axis { CHART } else { MAP };
+    page.picture(picture, size);
+    let points = grid.counts().0;
+    let gone = (0..points).filter(|at| grid.cell(*at, 0, output).value().is_none()).count();
+    if gone > 0 && is_axis {
+        page.line(format!("{gone} of {points} points have no value and are left blank"));
+    }
+    page.space();
+}
+
+fn values(page: &mut Page, grid: &Grid, axis: &Axis) {
+    let last = axis.count() - 1;
+    // Evenly spaced rows if the number of points allows them.
+    let even = (5..TABLE_ROWS).rev().find(|steps| last.is_multiple_of(*steps));
+    let count = even.map_or_else(|| TABLE_ROWS.min(axis.count()), |steps| steps + 1);
+    let places = (0..count).map(|row| row * last / (count - 1));
+    let shown = places.filter_map(|at| usize::try_from(at).ok());
+    let unit = axis.variable().unit();
+    let table = Table::new(shown)
+        .with("axis", axis.symbol(), unit, |at| axis.value(*at as u64))
+        .with("outcome", "outcome", "", |at| grid.outcome(*at, 0).map(PointOutcome::key));
+    let outputs = grid.plan().outputs().iter().enumerate();
+    let table = outputs.fold(table, |table, (output, column)| {
+        table.with(column.name, column.title(), column.unit(), move |at| {
+            grid.cell(*at, 0, output).value()
+        })
+    });
+    page.table(table.cells(&table.keys()));
+    page.space();
 }

@@ -146,13 +146,8 @@ impl<'c, R> Table<'c, R> {
         if reach.is_complete() { self } else { self.field("complete", |_| false) }
     }
 
-    /// As lines of a page, of the columns with these keys: a heading above its cells.
-    pub fn page(&self, keys: &[&str], width: usize) -> String {
-        grid(&self.cells(keys), width)
-    }
-
-    /// Formats the transposed table: headings at the left, a column for each row.
-    pub fn turned(&self, keys: &[&str], width: usize) -> String {
+    /// Returns the columns of the transposed table: headings at the left, a column for each row.
+    pub fn turned(&self, keys: &[&str]) -> Vec<Cells> {
         let lines: Vec<Cells> = keys.iter().flat_map(|key| self.cells(&[key])).collect();
         let heads = lines.iter().map(|line| line.head.clone()).collect();
         let column = |row: usize| Cells {
@@ -162,9 +157,7 @@ impl<'c, R> Table<'c, R> {
         };
         let first = Cells { head: String::new(), is_text: true, cells: heads };
         let rows = (0..self.rows.len()).map(column);
-        let columns: Vec<Cells> = std::iter::once(first).chain(rows).collect();
-        // No column has a heading then, which leaves its line empty.
-        grid(&columns, width).trim_start_matches('\n').to_owned()
+        std::iter::once(first).chain(rows).collect()
     }
 
     /// The columns with these keys on a page, those of one unit with the same prefix.
@@ -219,6 +212,7 @@ fn text_of(written: csv::Writer<Vec<u8>>) -> String {
 }
 
 /// A column of a page.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Cells {
     /// Heading of the column.
     pub head: String,
@@ -260,13 +254,15 @@ pub fn grid(columns: &[Cells], width: usize) -> String {
     text + &beside(&block)
 }
 
+/// The columns of a transposed table have no heading, and no line for it.
 fn beside(columns: &[&Cells]) -> String {
     let line = |row: Option<usize>| {
         let cells: Vec<String> = columns.iter().map(|column| column.padded(row)).collect();
         cells.join(GAP).trim_end().to_owned() + "\n"
     };
     let rows = columns.first().map_or(0, |it| it.cells.len());
-    std::iter::once(None).chain((0..rows).map(Some)).map(line).collect()
+    let has_head = columns.iter().any(|it| !it.head.is_empty());
+    has_head.then_some(None).into_iter().chain((0..rows).map(Some)).map(line).collect()
 }
 
 /// A text of JSON, with a line end.
@@ -358,15 +354,15 @@ mod tests {
     #[test]
     fn a_page_has_four_digits_and_one_prefix_a_column() {
         assert_eq!(
-            table().page(&["name", "depth_m", "steps"], 80),
+            grid(&table().cells(&["name", "depth_m", "steps"]), 80),
             "name  depth, mm  steps\na, b      300.0      3\nc             -   1200\nd             -      0\n"
         );
         assert_eq!(
-            table().turned(&["name", "depth_m"], 80),
+            grid(&table().turned(&["name", "depth_m"]), 80),
             "name        a, b  c  d\ndepth, mm  300.0  -  -\n"
         );
         assert_eq!(
-            table().page(&["name", "depth_m", "steps"], 15),
+            grid(&table().cells(&["name", "depth_m", "steps"]), 15),
             "name  depth, mm\na, b      300.0\nc             -\nd             -\n\n\
              name  steps\na, b      3\nc      1200\nd         0\n"
         );

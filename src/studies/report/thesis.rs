@@ -1,8 +1,9 @@
 //! The reproduction report, the principles and the screening matrix as tables.
 
+use crate::report::page::{Block, Page};
 use crate::report::table::Table;
 use crate::study::principles::{CONCEPTS, Concept, PRINCIPLES, Principle};
-use crate::study::thesis::Row;
+use crate::study::thesis::{ClaimVerdict, Row, tally};
 
 /// The claims.
 pub fn claims(report: &[Row]) -> Table<'_, &Row> {
@@ -16,6 +17,29 @@ pub fn claims(report: &[Row]) -> Table<'_, &Row> {
         .field("holds", |row| row.holds)
         .field("cause", |row| row.claim.cause)
         .field("preset", |row| row.claim.preset)
+}
+
+/// Returns the report of the claims; `missing` says what an interrupt left out.
+pub fn page(report: &[Row], missing: Option<String>) -> Page {
+    let mut page = Page::default();
+    for row in report {
+        let claim = row.claim;
+        let place = format!("{}  [{}]", claim.place, claim.verdict.words());
+        page.push(Block::Ends(place, claim.id.to_owned()));
+        page.entries([
+            ("says", claim.says),
+            ("computed", &row.computed),
+            ("as printed", &row.as_printed),
+            ("cause", claim.cause),
+        ]);
+        page.space();
+    }
+    let counts = ClaimVerdict::ALL.iter().zip(tally(report));
+    let counts: Vec<String> =
+        counts.map(|(verdict, count)| format!("{count} {}", verdict.words())).collect();
+    let whole = || format!("{} rows: {}.", report.len(), counts.join(", "));
+    page.line(missing.unwrap_or_else(whole));
+    page
 }
 
 /// The concepts of Table 7.1 with their printed and computed totals.

@@ -6,6 +6,7 @@
 use serde_json::{Value, json};
 
 use crate::report::chart::Curve;
+use crate::report::page::Page;
 use crate::report::series::{Channel, thinned_to};
 use crate::report::table::Table;
 use cmra_engine::model::run::Run;
@@ -234,26 +235,24 @@ impl Traces {
         self.traces.iter().map(|trace| (trace, trace.difference(run)))
     }
 
-    /// The differences of a run on a page of a given width, below a heading; of traces without a common time, why there are none.
-    pub fn page(&self, run: &Run, width: usize) -> String {
+    /// Appends the differences of a run to its report; of traces without a common time, why there are none.
+    pub fn compare(&self, page: &mut Page, run: &Run) {
         let (compared, others): (Vec<_>, Vec<_>) = self.rows(run).partition(|row| row.1.is_some());
-        let mut text = format!("beside {} (computed less measured)\n", self.name);
+        page.heading(format!("beside {} (computed less measured)", self.name));
         if !compared.is_empty() {
             let table = Self::table(compared);
             let keys: Vec<&str> = table.keys().into_iter().filter(|key| *key != "unit").collect();
-            text += &table.turned(&keys, width);
+            page.table(table.turned(&keys));
         }
         let end_s = run.series.last().map_or(0.0, |row| row.t_s);
         for (trace, _) in others {
             let [end, first] = [end_s, trace.points[0].0].map(|t_s| engineering(t_s, "s", 4));
-            text += &trace.heading;
-            text += ": no row within the time of the run, which ends at ";
-            text += &end;
-            text += "; the first row is at ";
-            text += &first;
-            text += ": check the unit of time, or run longer with --set horizon=TIME\n";
+            page.line(format!(
+                "{}: no row within the time of the run, which ends at {end}; the first row is at {first}: check the unit of time, \
+                 or run longer with --set horizon=TIME",
+                trace.heading
+            ));
         }
-        text
     }
 
     /// The differences of a run as an object.

@@ -1,8 +1,13 @@
 //! Measurements beside what the model computes for them: one row for each case, one for each that cannot be checked, and one for the bias of
 //! each class. SI.
 
+use crate::report::page::Page;
 use crate::report::table::Table;
-use crate::study::validation::{Bias, Case, NotChecked, Row, biases, measurements};
+use crate::study::validation::{
+    Bias, Case, MeasuredQuantity, NOT_COUNTED, NotChecked, Row, biases, measurements,
+};
+use cmra_engine::model::scene::Closure;
+use cmra_engine::model::units::{engineering, fixed_significant};
 
 /// A row of the table.
 pub struct ValidationLine<'r> {
@@ -70,4 +75,101 @@ pub fn table(report: &[Row]) -> Table<'_, ValidationLine<'_>> {
         .field("class", ValidationLine::class)
         .field("points", |it| it.bias.as_ref().map(|bias| bias.points))
         .field("relative_error_deviation", |it| it.bias.as_ref()?.deviation)
+}
+
+/// Appends each measurement with its computed value, then those that cannot be checked.
+pub fn each_case(page: &mut Page, report: &[Row]) {
+    use Closure::{Cavity, DoubleYield};
+    for row in report {
+        let case = row.case;
+        let unit = case.quantity.unit();
+        let show = |value: f64| match case.quantity {
+            MeasuredQuantity::Bottoms => (if value > 0.5 { "yes" } else { "no" }).to_owned(),
+            MeasuredQuantity::Ratio => fixed_significant(value, 4),
+            _ => engineering(value, unit, 4),
+        };
+        let off = |value: f64| match case.quantity {
+            MeasuredQuantity::Bottoms => show(value),
+            _ => format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value)),
+        };
+        let absent = || "nothing".to_owned();
+        let scene = format!("{} {}", case.preset, case.set);
+        page.fact(format!("{}  ", case.id), case.id.len() + 2, format!("[{}]", scene.trim_end()));
+        let known = case.resolution.map_or_else(String::new, |it| format!(" +- {}", show(it)));
+        let computed = row.computed.map_or_else(absent, off);
+        let ratio = format!("h/D = {}", fixed_significant(row.thickness_ratio, 3));
+        let (made_of, pressure) = (case.projectile, engineering(row.pressure_pa, "Pa", 4));
+        let lines = [
+            ("measured", format!("{} {}{known}", case.quantity.label(), show(case.measured))),
+            ("computed", format!("{computed} by {}", closure_words(row.closure))),
+            (
+                "alternative",
+                row.other.map_or_else(String::new, |value| {
+                    let is_cavity = row.closure == Cavity;
+                    let other = if is_cavity { DoubleYield } else { Cavity };
+                    format!("{} by {}", off(value), closure_words(other))
+                }),
+            ),
+            ("plate", row.beyond.clone().unwrap_or(ratio)),
+            ("nose", case.nose.to_owned()),
+            ("projectile", format!("{made_of}; invalid if the projectile yields below {pressure}")),
+            ("caution", case.caution.to_owned()),
+            ("source", case.source.to_owned()),
+        ];
+        page.entries(lines.iter().map(|(label, text)| (*label, text.as_str())));
+        page.space();
+    }
+    for it in &measurements().not_checked {
+        page.line(format!("{}  [cannot be checked]", it.id));
+        page.entries([("says", it.says), ("why not", it.why), ("source", it.source)]);
+        page.space();
+    }
+}
+
+/// Minimum number of points of a class with a standard deviation.
+const SCATTER_FROM: usize = 3;
+
+/// Appends bias and scatter by class, and a summary line.
+pub fn summary(page: &mut Page, report: &[Row]) {
+    page.line(format!(
+        "{:<36}{:>7}{:>8}{:>8}  {}",
+        "computed over measured, minus 1", "points", "bias", "scatter", "least to greatest"
+    ));
+    let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
+    for it in biases(report) {
+        let scatter = it
+            .deviation
+            .filter(|_| it.points >= SCATTER_FROM)
+            .map_or_else(String::new, |value| format!("{:.1} %", 100.0 * value));
+        let range = format!("{} to {}", percent(it.range.0), percent(it.range.1));
+        page.line(format!(
+            "{:<36}{:>7}{:>8}{scatter:>8}  {}",
+            it.class.unwrap_or("all points"),
+            it.points,
+            percent(it.mean),
+            if it.points > 1 { range.as_str() } else { "" }
+        ));
+    }
+    let computed = report.iter().filter(|row| row.computed.is_some()).count();
+    let aside = report.iter().filter(|row| row.case.class == NOT_COUNTED).count();
+    page.space();
+    let said = format!(
+        "{} measurements: {computed} computed, {} not; {aside} of them not counted above (another input for a counted \
+         measurement, or a quantity outside the model). {} further ones cannot be checked. Positive is unconservative: \
+         the real plate holds less than computed. Nothing is fitted. The two closures are never combined: cavity with dishing is \
+         refused.",
+        report.len(),
+        report.len() - computed,
+        measurements().not_checked.len(),
+    );
+    page.paragraph(said, 0);
+}
+
+fn closure_words(closure: Closure) -> &'static str {
+    match closure {
+        Closure::Given => "a flow strength that is given",
+        Closure::Cavity | Closure::ByThickness => "cavity, without dishing",
+        Closure::Cylindrical => "cylindrical, without dishing",
+        Closure::DoubleYield => "double-yield, with dishing",
+    }
 }

@@ -6,7 +6,9 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::{broken, counted};
 use cmra_engine::model::run::envelope;
-use cmra_studies::report::run::page::{computation, energy, events, of_first, results, sentence};
+use cmra_studies::report::run::page::{
+    computation, energy, events, labelled, of_first, results, sentence,
+};
 
 pub const LOG: Pane = Pane::new(Tab::Log, 0);
 
@@ -137,8 +139,8 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &DisplayedRun, is_stale: bool) {
     section(lines, &format!("Events{first}"), plain(events(run)));
     let heading = format!("Energy{first}: where it was at the start, and where it went");
     section(lines, &heading, plain(energy(&run.ledger)));
-    let results = plain([vec![sentence(run)], results(run)].concat());
+    let results = plain([vec![sentence(run)], labelled(results(run))].concat());
     section(lines, &format!("Results{first}"), results);
     let took_s = shown.elapsed.map(|took| took.as_secs_f64());
-    section(lines, &format!("Computation{first}"), plain(computation(run, took_s)));
+    section(lines, &format!("Computation{first}"), plain(labelled(computation(run, took_s))));
 }

@@ -394,8 +394,7 @@ fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// Draws measured limits and the limits expected from all other papers: the chart, and the errors by class.
 fn measured(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let rows = left_out();
-    let text = limits::error_lines(&errors(rows));
-    let lines: Vec<&str> = text.lines().collect();
+    let lines = limits::error_lines(&errors(rows));
     let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
     let (above, below) = split_bottom(area, height.min(area.height.saturating_sub(CHART_LEAST)));
     if let Some(mut chart) = limits::picture(rows) {
@@ -407,7 +406,7 @@ fn measured(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .draw(below, canvas);
     for (y, line) in (0..inner.height).zip(lines) {
         let role = if y == 0 { Role::Dim } else { Role::Text };
-        canvas.put(inner, (0, y), line, role);
+        canvas.put(inner, (0, y), &line, role);
     }
 }
 

@@ -1,13 +1,22 @@
 //! Text report of a run: the outcome as a sentence, and results, events, energy and computation, one per line. Pages and screens share
 //! these lines.
 
-use crate::report::figures::run::event_letter;
+use crate::report::clean;
+use crate::report::figures::run::{event_letter, mechanism, response};
+use crate::report::page::{Block, Page, Size};
 use crate::report::run::{AT_START, ENERGY, LedgerPart};
+use crate::report::svg::Picture;
+use crate::report::traces::Traces;
+use crate::report::verdict;
 use crate::study::quantities;
+use crate::study::stack;
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
+use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{self, engineering, fixed_significant};
 
+/// Size of a chart below the results.
+const SIZE: Size = (78, 15);
 /// Column of a value after its label.
 pub const LABEL: usize = 24;
 
@@ -15,9 +24,12 @@ fn short(value: f64, unit: &str) -> String {
     engineering(value, unit, 4)
 }
 
-/// Formats a label with a text beside it.
-pub fn labelled(label: &str, text: &str) -> String {
-    format!("{label:<LABEL$}{text}")
+/// Label and text of a line.
+type Labelled = (&'static str, String);
+
+/// Formats labels with the texts beside them.
+pub fn labelled(all: Vec<Labelled>) -> Vec<String> {
+    all.into_iter().map(|(label, text)| format!("{label:<LABEL$}{text}")).collect()
 }
 
 /// Returns the end of a heading for results of a stack's first element, ` of element 1`; empty for a single plate.
@@ -130,7 +142,7 @@ fn arrested(run: &Run, depth: &str) -> String {
 }
 
 /// Lists the results, one per line; omits those that do not exist.
-pub fn results(run: &Run) -> Vec<String> {
+pub fn results(run: &Run) -> Vec<Labelled> {
     let known = |result: Option<f64>, unit| result.map(|result| engineering(result, unit, 6));
     let rounded = |result: Option<f64>, words: &str| {
         result.map(|result| format!("{}{words}", fixed_significant(result, 4)))
@@ -201,7 +213,7 @@ pub fn results(run: &Run) -> Vec<String> {
     ];
     let of_mechanism = of_mechanism.into_iter().filter(|_| !run.scene.mechanism.is_plain());
     let facts = of_run.into_iter().chain(of_mechanism);
-    facts.filter_map(|(label, text)| Some(labelled(label, &text?))).collect()
+    facts.filter_map(|(label, text)| Some((label, text?))).collect()
 }
 
 /// Describes the same shot with a plastic interface.
@@ -272,7 +284,7 @@ pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
 }
 
 /// Describes how the run was computed, its run time if known, and its error.
-pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<String> {
+pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<Labelled> {
     let cost = &run.cost;
     let steps = format!(
         "{} accepted, {} rejected, {} evaluations",
@@ -289,7 +301,7 @@ pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<String> {
         ("largest error", largest_error(run)),
         ("omitted terms", Some(omitted)),
     ];
-    facts.into_iter().filter_map(|(label, text)| Some(labelled(label, &text?))).collect()
+    facts.into_iter().filter_map(|(label, text)| Some((label, text?))).collect()
 }
 
 /// Describes the error estimate and its basis; `None` without an estimate.
@@ -318,6 +330,49 @@ fn largest_error(run: &Run) -> Option<String> {
     Some(format!("{} of all results ({})", units::below(*error), quantities::find(name)?.title()))
 }
 
+/// Returns the report: outcome, verdict, results, warnings, energy, events and computation; the differences from traces; and, if
+/// requested, the charts of the run and of its mechanism. The contact comes first: it ends within a fraction of a millisecond. The event
+/// lines of charts have the letters of the list of events.
+pub fn page(name: &str, run: &Run, with: Option<&Traces>, has_charts: bool) -> Page {
+    let mut page = Page::new(titled(name, &run.scene));
+    if let Some(stack) = &run.stack {
+        page.lines(stack::table(run, stack));
+        page.heading("element 1 in full:");
+    }
+    page.line(sentence(run));
+    page.line(verdict::of_run(run));
+    page.space();
+    for (label, text) in results(run) {
+        page.fact(label, LABEL, text);
+    }
+    page.push(Block::Warnings(envelope::warnings(run)));
+    page.heading("energy");
+    page.lines(energy(&run.ledger).into_iter().map(|line| format!("  {line}")));
+    if !run.events.is_empty() {
+        page.heading("events");
+    }
+    page.lines(events_in_brief(run).into_iter().map(|line| format!("  {line}")));
+    page.heading("computation");
+    for (label, text) in computation(run, run.cost.took_s) {
+        page.fact(format!("  {label}"), LABEL + 2, text);
+    }
+    if let Some(traces) = with {
+        traces.compare(&mut page, run);
+    }
+    let charts = response(run, with).into_iter().chain(mechanism(run));
+    for chart in charts.filter(|_| has_charts) {
+        page.space();
+        page.picture(Picture::Chart(chart), SIZE);
+    }
+    page
+}
+
+/// Returns the name of a run with the title of its scene.
+pub fn titled(name: &str, scene: &Scene) -> String {
+    let title = clean::line(&scene.title);
+    if title.is_empty() || title == name { name.to_owned() } else { format!("{name}: {title}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -332,7 +387,7 @@ mod tests {
     #[test]
     fn valid_a_free_plate_of_equal_mass_takes_half_of_everything() {
         let run = run_of("k=0");
-        let results = results(&run).join("\n");
+        let results = labelled(results(&run)).join("\n");
         assert!(results.contains("  common velocity       50.0000 m/s"), "{results}");
         assert!(
             results.contains("greatest displacement   none: nothing stops the plate"),

@@ -3,9 +3,10 @@
 use crate::tui::app::running::CachedResult;
 use crate::tui::pages::limit::state::CANDIDATES;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::plain::{self, TextStyle};
 use crate::worker::studies::MassComparison;
-use cmra_studies::report;
-use cmra_studies::report::compare::reasons;
+use cmra_studies::report::compare::page::parts;
+use cmra_studies::report::page::{Block, Page};
 use cmra_studies::study::compare::{self, Candidate};
 
 /// Explanation of the comparison's rows, for `?`.
@@ -26,7 +27,7 @@ impl App {
     }
 
     pub fn candidate_lines(&self, width: usize) -> Vec<TextLine> {
-        self.candidates().map_or_else(Vec::new, |report| lines(report, width))
+        self.candidates().map_or_else(Vec::new, |report| lines(self, report, width))
     }
 }
 
@@ -40,28 +41,13 @@ fn of_scene<'a>(
 }
 
 /// Returns the lines of the comparison: cautions, the candidates side by side as in the printed report, and the basis of the verdict.
-fn lines(report: &compare::ComparisonReport, width: usize) -> Vec<TextLine> {
-    let sentence = |role: Role, text: &str| -> Vec<TextLine> {
-        let parts =
-            wrap(text, width.saturating_sub(CONTINUATION_INDENT.len())).into_iter().enumerate();
-        let lead = |at: usize| if at == 0 { "" } else { CONTINUATION_INDENT };
-        parts.map(|(at, part)| (lead(at).to_owned() + &part, role)).collect()
-    };
-    let mut lines = Vec::new();
-    if let Some(caution) = report.caution() {
-        lines.extend(sentence(Role::Warning, &format!("caution: {caution}")));
-    }
-    let table = report::compare::beside(report, width);
-    for line in table.lines() {
-        if line.starts_with('*') {
-            lines.extend(sentence(Role::Text, line));
-        } else {
-            lines.push((line.to_owned(), Role::Text));
-        }
-    }
-    lines.push((String::new(), Role::Text));
-    lines.extend(reasons(report).iter().flat_map(|text| sentence(Role::Text, text)));
-    lines
+fn lines(app: &App, report: &compare::ComparisonReport, width: usize) -> Vec<TextLine> {
+    let [mut blocks, table, reasons] = parts(report);
+    blocks.extend(table);
+    blocks.push(Block::Space);
+    blocks.extend(reasons);
+    let style = TextStyle { width, theme: app.settings.theme, is_brief: true };
+    plain::lines(&Page { blocks }, style)
 }
 
 /// Indentation of the continuation lines of a sentence.

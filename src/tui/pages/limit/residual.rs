@@ -148,7 +148,7 @@ fn write(lines: &[Remark], area: Rect, canvas: &mut Canvas<'_>) {
     let inner = PaneFrame::new("Fitted laws and spread").draw(area, canvas);
     for (row, line) in (0..inner.height).zip(lines) {
         let role = if line.is_caution { Role::Warning } else { Role::Text };
-        canvas.put(inner, (0, row), line.about, Role::Title);
+        canvas.put(inner, (0, row), &line.about, Role::Title);
         canvas.put(inner, (LABEL, row), &line.text, role);
     }
 }

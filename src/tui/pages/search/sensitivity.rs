@@ -8,7 +8,7 @@ use crate::tui::theme::GlyphSet;
 use crate::worker::studies::SearchRequest;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
-use cmra_studies::report::sensitivity::{ASCII, BLOCKS, COLUMNS, page, table};
+use cmra_studies::report::sensitivity::{ASCII, BLOCKS, COLUMNS, bars, table};
 use cmra_studies::report::table::Cells;
 use cmra_studies::study::quantities::named;
 use cmra_studies::study::sensitivity::{OUTPUT, Request, SensitivityReport};
@@ -72,7 +72,7 @@ impl Answer for SensitivityReport {
         if self.is_empty() {
             return Vec::new();
         }
-        page(self, levels(app.settings.theme.glyphs)).cells(&COLUMNS)
+        bars(self, levels(app.settings.theme.glyphs)).cells(&COLUMNS)
     }
 
     fn csv(&self, scene: &Scene, name: &str, reach: Reach) -> String {
