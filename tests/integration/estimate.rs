@@ -219,6 +219,49 @@ fn the_time_of_an_exit_just_above_the_rigid_limit_is_right_to_rounding() {
     }
 }
 
+/// Scenes in which both computations of an estimate damp the same oscillation of the plate about its balance, or begin with nearly the same
+/// error of a singular damper, and the greatest displacement, m. The first three by extrapolation (Gragg, Bulirsch, Stoer) with 64-bit
+/// mantissas from the power series at first contact, the last by DOP853 with steps to 1e-14.
+const SHARED: [(&str, f64); 4] = [
+    (
+        "n=0.4856 k=2.9388e8 gamma=2.6154 v_i=117.52 h=28.28mm S_y=5.2848e7 C_d=0.21269",
+        3.099_255_713_974_69e-10,
+    ),
+    (
+        "n=0.5311 k=8.7215e8 gamma=1.3572 v_i=429.08 h=1.2mm S_y=1.7344e8 C_d=0.24366",
+        5.069_221_179_159_78e-10,
+    ),
+    (
+        "n=0.5 k=6.1013e7 gamma=15.331 v_i=52.202 h=3.4923mm S_y=1.6527e7 C_d=0.72756",
+        8.952_632_900_395_20e-10,
+    ),
+    (
+        "n=0.75231 m=2.0555 k=5.7439e5 b=1.1003e4 d=24.781um gamma=2.4165 v_i=7.1528 h=35.701mm \
+         theta=0.9095511061614223rad S_y=1.4672e9 C_d=0.24975 interface=plastic",
+        1.095_407_655_057_47e-5,
+    ),
+];
+
+#[test]
+fn valid_estimates_cover_what_both_computations_share() {
+    for (changes, exact_m) in SHARED {
+        for tolerance in [1e-3, 1e-6, 1e-9] {
+            let mut own =
+                cmra_engine::model::variables::changed(Scene::default(), changes).unwrap();
+            own.run.tolerance = tolerance;
+            let run = run_of(&Arc::new(own));
+            let error = (run.max_plate_displacement_m.unwrap() / exact_m - 1.0).abs();
+            let estimate = run.error_of("max_plate_displacement_m").unwrap();
+            assert!(error <= estimate, "{changes} {tolerance:e}: {error:e} {estimate:e}");
+            // And not by much more than a safety factor.
+            assert!(
+                estimate < 1e2 * (error + 1e-12),
+                "{changes} {tolerance:e}: {error:e} {estimate:e}"
+            );
+        }
+    }
+}
+
 /// Two computations that end differently say nothing of each other.
 #[test]
 fn an_estimate_from_two_outcomes_is_unknown() {

@@ -3,7 +3,7 @@
 //! An estimate is relative to the quantity itself. It is never below the rounding error of the quantity, which is larger for
 //! a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
-use crate::model::run::{EstimateBasis, Outcome, Run, RunResult};
+use crate::model::run::{EstimateBasis, LeftOut, Outcome, Run, RunResult};
 use crate::numerics::larger;
 
 /// Rounding of a closed form, relative: a few units of the last place of each of its terms.
@@ -46,6 +46,30 @@ fn scale(of: RunResult) -> Scale {
     }
 }
 
+/// Returns what the free oscillation that both computations damp changes in a result.
+fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
+    let LeftOut { arrest_m, arrest_m_s, farthest_m, force_n, energy_j } = second.left_out;
+    match of {
+        RunResult::ArrestPenetration
+        | RunResult::ArrestPlateDisplacement
+        | RunResult::FinalPenetration => arrest_m,
+        RunResult::ArrestPlateVelocity => arrest_m_s,
+        RunResult::MaxPlateDisplacement | RunResult::Stroke => farthest_m,
+        RunResult::PeakMountForce => force_n,
+        RunResult::InterfaceDemand => {
+            second.mechanism.peak_mount_n.map_or(0.0, |peak_n| value * force_n / peak_n)
+        }
+        RunResult::StoredEnergy => energy_j,
+        RunResult::ArrestTime
+        | RunResult::ExitTime
+        | RunResult::PeakContactForce
+        | RunResult::ResidualVelocity
+        | RunResult::RotationalEnergy
+        | RunResult::SeparationTime
+        | RunResult::SeparationVelocity => 0.0,
+    }
+}
+
 /// Sets a run's estimates from another computation of the same scene. They are infinite if the outcomes differ.
 pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
     if run.outcome != second.outcome {
@@ -83,6 +107,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
                 _ => 0.0,
             };
             let off = larger(factor * (value - other).abs(), interval_m);
+            let off = off + left_out(of, second, other).abs();
             Some((of.key(), relative(off, value, larger(floor, rounding))?))
         })
         .collect();

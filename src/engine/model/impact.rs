@@ -19,6 +19,7 @@ use method::run_by;
 mod dense_output;
 mod equations;
 mod events;
+mod free_oscillation;
 mod method;
 mod modes;
 mod outcome;

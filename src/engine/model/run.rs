@@ -92,6 +92,8 @@ pub struct Run {
     pub stack: Option<Arc<StackRun>>,
     /// Results of the same shot with a plastic interface; `Some` for a fused run if both were requested.
     pub plastic: Option<Arc<Self>>,
+    /// Free oscillation of the plate that the method damped; of the second computation of an estimate only.
+    pub left_out: LeftOut,
     /// Cost of the computation.
     pub cost: Cost,
     /// Terms without effect in this scene, which were not computed.
@@ -328,6 +330,21 @@ pub struct AtLeast {
     pub penetration_m: Option<f64>,
     /// Maximum displacement of the plate so far, m.
     pub plate_displacement_m: Option<f64>,
+}
+
+/// Amplitudes of a free oscillation about the balance of contact and spring that a computation leaves out.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct LeftOut {
+    /// Displacement of the plate at the first arrest, m.
+    pub arrest_m: f64,
+    /// Velocity of the plate at the first arrest, m/s.
+    pub arrest_m_s: f64,
+    /// Displacement of the plate at its maximum, m.
+    pub farthest_m: f64,
+    /// Force of the spring there, N.
+    pub force_n: f64,
+    /// Energy of the spring there, J.
+    pub energy_j: f64,
 }
 
 /// Loads of the mechanism.

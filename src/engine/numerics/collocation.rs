@@ -49,7 +49,7 @@ const CUT: (f64, f64) = (0.1, 0.7);
 const AFTER_FAILURE: f64 = 0.25;
 /// Coefficient of the filter of the error estimate. The real eigenvalue of A with nine stages is near 0.1: the filter damps stiff
 /// components as the method does.
-const FILTER: f64 = 0.1;
+pub(crate) const FILTER: f64 = 0.1;
 
 /// Number of Legendre polynomials in a table: the largest number of stages plus one.
 const STAGES_MORE: usize = 12;

@@ -421,6 +421,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         ],
         ledger: ledger(rigid),
         mechanism: MechanismLoad { peak_mount_n: Some(mount_n(scene)), ..MechanismLoad::default() },
+        left_out: cmra_engine::model::run::LeftOut::default(),
         stack: None,
         plastic: None,
         cost: cost(rigid),

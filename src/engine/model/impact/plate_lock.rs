@@ -47,7 +47,12 @@ impl ImpactParameters {
     /// Part of its value that each length, time and velocity has below which a plate at a zero is treated by a rule: less in a computation
     /// that judges another, so that their difference shows what the rule leaves out.
     pub(super) fn rule_part(&self) -> f64 {
-        if matches!(self.stepping, IntegrationMethod::Second(_)) { JUDGING } else { 1.0 }
+        if self.judges() { JUDGING } else { 1.0 }
+    }
+
+    /// Returns `true` for a computation that judges another.
+    pub(super) fn judges(&self) -> bool {
+        matches!(self.stepping, IntegrationMethod::Second(_))
     }
 
     /// Returns the displacement of a plate that is locked again, at a travel of the projectile.
@@ -136,7 +141,7 @@ impl Equations<'_> {
     }
 
     /// Returns the time derivative of the contact force on a plate at rest, N/s.
-    fn rate_n_s(&self, state: &State) -> f64 {
+    pub(super) fn rate_n_s(&self, state: &State) -> f64 {
         let slopes = self.contact_slopes(state.q_m, state.u_m_s);
         let slows_m_s2 = self.contact_n(state) / self.setup.projectile_kg;
         (slopes.0 * state.u_m_s - slopes.1 * slows_m_s2) * self.setup.cos
@@ -147,15 +152,28 @@ impl Equations<'_> {
     pub(super) fn locks_again(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
         let held_m = RELOCK_FRACTION * self.setup.returned_m(state.q_m);
+        // A computation that judges another locks where that one does: the error of a lock of its own would be taken for that of the other.
+        let judged_m = match self.setup.stepping {
+            IntegrationMethod::Second(judged) => held_m * judged / self.setup.tolerance,
+            _ => held_m,
+        };
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
         self.mode.hold == PlateConstraint::Free
             && self.setup.law == ContactLaw::Flow
             && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
             && spring.is_steep_at_zero()
-            && held_m < farthest_m
+            && judged_m < farthest_m
             && self.push_n(state).abs() < spring.force(held_m)
             && speed_j + spring.energy(self.displacement_m(state.x_m)) < spring.energy(held_m)
             && self.rate_n_s(state) <= 0.0
+    }
+
+    /// Returns `true` if the plate starts at rest, or at the zero of its spring, where a law is neither steep nor analytic.
+    pub(super) fn starts_at_singularity(&self) -> bool {
+        let ImpactParameters { damper, ref spring, start_m, start_m_s, .. } = *self.setup;
+        let by_spring = || spring.power().is_some_and(|law| !law.is_smooth_at_zero());
+        self.mode.hold == PlateConstraint::Free
+            && (start_m_s == 0.0 && !damper.is_smooth_at_zero() || start_m == 0.0 && by_spring())
     }
 
     /// Returns the force on a locked plate that its spring has to balance, N.

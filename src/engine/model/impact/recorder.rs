@@ -5,6 +5,7 @@ use std::array;
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::free_oscillation::FreeOscillation;
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::results::sample;
@@ -51,6 +52,10 @@ pub(super) struct Recorder {
     /// Whether the plate was locked up to the first arrest.
     pub(super) was_held: bool,
     pub(super) cost: Cost,
+    /// Free oscillation of the plate, in the second computation of an estimate.
+    pub(super) oscillation: FreeOscillation,
+    /// What of it the method had damped at the first arrest and at the maximum displacement.
+    pub(super) left_out: [f64; 2],
 }
 
 /// Peak forces of mount and fused interface.
@@ -83,6 +88,9 @@ impl Recorder {
             self.note(state.t_s, EventKind::Plug);
             self.work.pick_up_j = equations.setup.initial_j() - equations.kinetic_j(state);
         }
+        if equations.setup.judges() {
+            self.oscillation.start(equations);
+        }
         self.note_mount(equations, state);
         self.row(equations, state);
     }
@@ -111,6 +119,7 @@ impl Recorder {
     pub(super) fn step(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         self.cost.steps += 1;
         self.add_work(equations, path);
+        self.oscillation.step(equations, path);
         self.note_displacements(equations, path);
         if equations.setup.turning_kg > 0.0 {
             let known_m_s = self.fastest_m_s;
@@ -141,6 +150,7 @@ impl Recorder {
         // Increases within rounding are ignored: a plate can reach its stop many times.
         if x_m - self.farthest_m > 4.0 * f64::EPSILON * x_m.abs() {
             (self.farthest_m, self.farthest_s) = (x_m, t_s);
+            self.left_out[1] = self.oscillation.left_out;
         }
     }
 
@@ -295,6 +305,10 @@ impl Recorder {
         self.reach(after, to);
         let picks_up = after.setup.shears() && !before.setup.shears();
         self.mark(event, (before, from), (after, to));
+        let is_corner = matches!(event, modes::Event::PieceEnd | modes::Event::PieceStart);
+        if is_corner && after.setup.judges() {
+            self.oscillation.corner([before, after], to);
+        }
         let lost_j = before.kinetic_j(from) - after.kinetic_j(to);
         match event {
             modes::Event::StopReached => self.work.stop_j += lost_j,
@@ -391,6 +405,7 @@ impl Recorder {
         self.note(state.t_s, if is_first { EventKind::FirstArrest } else { EventKind::Arrest });
         if is_first {
             self.was_held = is_held;
+            self.left_out[0] = self.oscillation.left_out;
             self.first_arrest = Some(Arrest {
                 t_s: state.t_s,
                 penetration_m: after.setup.geometry.depth_m(state.q_m),

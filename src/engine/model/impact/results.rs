@@ -12,8 +12,8 @@ use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
-    AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, NotModelled,
-    Outcome, Run, RunWarning, Sample,
+    AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, LeftOut, MechanismLoad,
+    NotModelled, Outcome, Run, RunWarning, Sample,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -270,6 +270,28 @@ impl ImpactRun<'_> {
         }
     }
 
+    /// Returns the oscillation that the method damped, at the first arrest and at the maximum displacement.
+    fn left_out(&self, max_displacement_m: Option<f64>) -> LeftOut {
+        let Recorder { left_out: [until_arrest, at_farthest], first_arrest, oscillation, .. } =
+            &self.record;
+        let equations = self.equations();
+        let farthest_m = max_displacement_m.unwrap_or(self.record.farthest_m);
+        let is_later = farthest_m > self.record.farthest_m;
+        let at_farthest = if is_later { oscillation.left_out } else { *at_farthest };
+        let at_arrest = first_arrest.map_or([0.0; 2], |arrest| {
+            equations.amplitudes(*until_arrest, arrest.plate_displacement_m)
+        });
+        let [farthest, _] = equations.amplitudes(at_farthest, farthest_m);
+        let by_m = |of: f64| if farthest > 0.0 { farthest * of.abs() } else { 0.0 };
+        LeftOut {
+            arrest_m: at_arrest[0],
+            arrest_m_s: at_arrest[1],
+            farthest_m: farthest,
+            force_n: by_m(self.mode.spring.tangent(farthest_m)),
+            energy_j: by_m(self.mode.spring.force(farthest_m)),
+        }
+    }
+
     fn warnings(&self, run: &Run) -> Vec<RunWarning> {
         let (setup, scene, loads) = (self.setup, self.scene, &self.record.loads);
         let (reason, t_s) = (run.end, self.state.t_s);
@@ -409,6 +431,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
         events,
         ledger: course.ledger(),
         mechanism: course.load(max_plate_displacement_m),
+        left_out: course.left_out(max_plate_displacement_m),
         cost: Cost {
             method: "Radau IIA 17",
             reason: "one implicit method of high order: smooth, stiff and steep alike",
