@@ -2,14 +2,15 @@
 //!
 //! `collocation` holds the implicit method that integrates smooth, stiff and singular equations; `explicit` holds the Runge-Kutta methods
 //! it is compared with. Both return a `step` with dense output, on which `event_location` finds the first event. [`root`] finds a zero in
-//! a bracket, `series_root` the zero of a power series, [`quadrature`] integrates, [`maximum`] maximises and `monotone` interpolates
-//! tables. [`random`] and [`sobol`] draw samples, [`statistics`] summarises them.
+//! a bracket, `series_root` the zero of a power series, [`quadrature`] integrates, [`maximum`] maximises, `monotone` interpolates tables and
+//! `incomplete_beta` is the integral of that name. [`random`] and [`sobol`] draw samples, [`statistics`] summarises them.
 //!
 //! An integration step uses fixed-size arrays and allocates nothing; quadrature, tables and samples use vectors. Every loop is bounded.
 
 pub(crate) mod collocation;
 pub(crate) mod event_location;
 pub(crate) mod explicit;
+pub(crate) mod incomplete_beta;
 pub mod maximum;
 pub(crate) mod monotone;
 pub mod quadrature;

@@ -1,9 +1,10 @@
 //! Simulation of an impact from first contact to its end; a pure function without clock, file or thread.
 //!
-//! `parameters` has what a scene gives, `equations` the equations of motion. `modes` contains the discrete states and their transitions, `events` the event functions
-//! of each state. `reduced_system` selects the active degrees of freedom; `plate_lock` locks the plate while a stiff spring holds it. `run`
-//! is the integration loop, and `method` lists the methods. `outcome` decides by energy when the run ends. `dense_output` has the states on
-//! a step, `recorder` accumulates rows, work and peak forces, and `results` builds the [`Run`].
+//! `parameters` has what a scene gives, `equations` the equations of motion. `modes` contains the discrete states and their transitions,
+//! `events` the event functions of each state. `reduced_system` selects the active degrees of freedom; `plate_lock` locks the plate while a
+//! stiff spring holds it. `run` is the integration loop, and `method` lists the methods; `fused_swing` goes from event to event without
+//! steps. `outcome` decides by energy when the run ends. `dense_output` has the states on a step, `recorder` accumulates rows, work and peak
+//! forces (`loads`), `free_oscillation` what the method damps, and `results` builds the [`Run`].
 
 use std::sync::Arc;
 
@@ -20,6 +21,8 @@ mod dense_output;
 mod equations;
 mod events;
 mod free_oscillation;
+mod fused_swing;
+mod loads;
 mod method;
 mod modes;
 mod outcome;

@@ -92,7 +92,7 @@ impl Equations<'_> {
         self.is_touching() && (spring_n - push_n).abs() < OFF_BALANCE * push_n.abs()
     }
 
-    /// Returns the oscillation that a step can damp: none in a few radians; in more, as much as the filtered error estimate of the step accepts.
+    /// Returns the oscillation that a step can damp: none in a few radians; in more, what the filtered error estimate of the step accepts.
     fn damped_at_most(&self, from: &State, span_s: f64) -> f64 {
         let radians_per_s = self.radians_per_s(self.displacement_m(from.x_m));
         let phase = span_s * radians_per_s;
@@ -130,8 +130,8 @@ impl Equations<'_> {
             _ => return 0.0,
         };
         let (radians_per_s, slope_n_m) = (self.radians_per_s(at_m), self.mode.spring.tangent(at_m));
-        let excited_m = |way: f64| {
-            let q_m = state.q_m + way * state.u_m_s / radians_per_s;
+        let excited_m = |direction: f64| {
+            let q_m = state.q_m + direction * state.u_m_s / radians_per_s;
             let there = State { q_m, ..*state };
             (self.contact_n(&there) - before.contact_n(&there)).abs() * self.setup.cos / slope_n_m
         };

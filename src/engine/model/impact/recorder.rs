@@ -6,6 +6,8 @@ use crate::model::contact_models::ContactLaw;
 use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::free_oscillation::FreeOscillation;
+use crate::model::impact::fused_swing::FusedSwing;
+use crate::model::impact::loads::{COMPRESSION_TENSION_SIGNS, Loads};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::results::sample;
@@ -57,22 +59,6 @@ pub(super) struct Recorder {
     /// What of it the method had damped at the first arrest and at the maximum displacement.
     pub(super) left_out: [f64; 2],
 }
-
-/// Peak forces of mount and fused interface.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Loads {
-    /// Peak of the total force of spring, damper and elastic stop, N.
-    pub(super) mount_n: f64,
-    /// Peak compression and tension of the fused interface, relative to its limit load in compression.
-    pub(super) ratios: Option<[f64; 2]>,
-    /// Times at which compression and tension first exceed the limit loads, s.
-    pub(super) exceeded_s: [Option<f64>; 2],
-    /// Whether the interface has a limit load of zero.
-    pub(super) no_strength: bool,
-}
-
-/// Signs of the mechanism's force for compression and tension of the interface.
-const COMPRESSION_TENSION_SIGNS: [f64; 2] = [1.0, -1.0];
 
 impl Recorder {
     /// Records the state at first contact.
@@ -128,6 +114,26 @@ impl Recorder {
         }
         self.note_forces(equations, path);
         self.draw(equations, path);
+    }
+
+    /// Records a swing of fused bodies: force and displacement are greatest at an end.
+    pub(super) fn swing(
+        &mut self,
+        equations: &Equations<'_>,
+        [from, to]: [&State; 2],
+        swing: &FusedSwing,
+    ) {
+        self.cost.steps += 1;
+        self.fastest_m_s = larger(swing.greatest_m_s(), self.fastest_m_s);
+        let [from_n, to_n] = [from, to].map(|state| equations.mechanism_n(state.x_m, 0.0));
+        let most_n = [larger(from_n, to_n), larger(-from_n, -to_n)];
+        self.note_loads(equations, to, most_n, |_| None);
+        self.reach(equations, to);
+        if self.keep_series {
+            let by_time = self.every_s.is_some();
+            let at = |part: f64| if by_time { swing.at_time(part) } else { swing.at(part) };
+            self.draw(equations, &DenseOutput::new(&at));
+        }
     }
 
     /// Notes the displacements on a step. A free plate turns at an event; one that a spring holds is where the forces balance, and farthest
@@ -429,33 +435,14 @@ impl Recorder {
     }
 }
 
-impl Loads {
-    /// Returns the forces of the mechanism forwards and backwards above which a recorded peak can increase, N.
-    pub(super) fn known_n(&self, equations: &Equations<'_>, state: &State) -> [f64; 2] {
-        match equations.joint_n(state) {
-            Some(strength_n) if strength_n > 0.0 => {
-                let per_ratio_n = strength_n / equations.setup.interface_fraction();
-                let ratios = self.ratios.unwrap_or_default();
-                let carried_n = equations.carried_weight_n() / equations.setup.interface_fraction();
-                array::from_fn(|direction| {
-                    let by_interface_n = ratios[direction] * per_ratio_n
-                        - COMPRESSION_TENSION_SIGNS[direction] * carried_n;
-                    smaller(by_interface_n, self.mount_n)
-                })
-            }
-            _ => [self.mount_n; 2],
-        }
-    }
-}
-
 impl Equations<'_> {
     /// Returns the limit loads of the fused interface, relative to that in compression.
-    fn limit_load_ratios(&self) -> [f64; 2] {
+    pub(super) fn limit_load_ratios(&self) -> [f64; 2] {
         [1.0, self.setup.grip]
     }
 
     /// Returns the limit load of the fused interface, N; `None` if the bodies are not fused.
-    fn joint_n(&self, state: &State) -> Option<f64> {
+    pub(super) fn joint_n(&self, state: &State) -> Option<f64> {
         let is_joined = self.mode.contact == Contact::Fused && self.setup.law == ContactLaw::Flow;
         (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
     }

@@ -8,9 +8,11 @@ use std::sync::Arc;
 use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::events::{self, event_function};
+use crate::model::impact::fused_swing::FusedSwing;
+use crate::model::impact::loads::Loads;
 use crate::model::impact::modes::{self, Event, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
-use crate::model::impact::recorder::{Loads, Recorder};
+use crate::model::impact::recorder::Recorder;
 use crate::model::impact::reduced_system::ReducedSystem;
 use crate::model::impact::results::{self, GROWTH, ImpactRun};
 use crate::model::run::{Cost, EndReason, Observer, Run, RunSnapshot, Settings};
@@ -159,9 +161,31 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                 is_over && self.course.has_no_horizon() && turns + events > CHANGES_FEW;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
-        let Some(event) = missed else { return self.advance() };
-        self.apply_transition(event, self.course.state);
+        if let Some(event) = missed {
+            self.apply_transition(event, self.course.state);
+            return None;
+        }
+        let ImpactRun { ref state, horizon_s, .. } = self.course;
+        let Some(swing) = self.course.equations().fused_swing(state, horizon_s) else {
+            return self.advance();
+        };
+        self.advance_by_swing(&swing);
         None
+    }
+
+    /// Advances to the end of a swing of fused bodies.
+    fn advance_by_swing(&mut self, swing: &FusedSwing) {
+        let ImpactRun { setup, ref mode, ref mut state, ref mut record, horizon_s, .. } =
+            self.course;
+        let mut to = swing.end();
+        if swing.event.is_none() {
+            to.t_s = horizon_s;
+        }
+        record.swing(&Equations { setup, mode }, [state, &to], swing);
+        (*state, self.last, self.previous) = (to, None, None);
+        if let Some(event) = swing.event {
+            self.apply_transition(event, to);
+        }
     }
 
     /// Continues after the results are final: to the second reversal for the peak loads of mount and interface, and for the time series to
