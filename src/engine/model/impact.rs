@@ -31,6 +31,7 @@ mod plate_lock;
 mod recorder;
 mod reduced_system;
 mod results;
+mod rule;
 mod run;
 #[cfg(test)]
 mod tests;

@@ -8,6 +8,7 @@ use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::rule::Rule;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;
@@ -106,6 +107,7 @@ impl Equations<'_> {
         let is_balanced = || {
             state.w_m_s.abs() < self.unresolved_m_s()
                 && self.accelerations(state).1.abs() <= self.rounding(state).1
+                && Rule::Balance.applies()
         };
         self.plate_rests() || self.creeps(state) || is_balanced()
     }
@@ -113,6 +115,9 @@ impl Equations<'_> {
     /// Returns the energy with which the bodies cannot part by a velocity that counts, J.
     fn parting_j(&self) -> f64 {
         let slow_m_s = PARTING * self.setup.velocity_m_s;
+        if !Rule::Parting.applies() {
+            return 0.0;
+        }
         0.5 * self.setup.projectile_kg * slow_m_s * slow_m_s
     }
 
@@ -181,6 +186,7 @@ impl Equations<'_> {
         let gap_m = mode.deepest_m - state.q_m;
         let is_heavy = setup.weight_n > 0.0;
         let slips = setup.plastic && mode.contact == Contact::Fused && gap_m > 0.0 && !is_heavy;
+        let slips = slips && Rule::DepthInterval.applies();
         if !slips || gap_m > state.q_m || self.meets_rigid_stop(state, energy_j) {
             return None;
         }
@@ -228,7 +234,7 @@ impl Equations<'_> {
                 && energy_j < friction_j
         };
         let is_driven = setup.weight_n > 0.0 && self.drives_away(state).is_some();
-        if is_nothing(energy_j) && !is_driven {
+        if is_nothing(energy_j) && !is_driven && Rule::EnergySpent.applies() {
             return true;
         }
         if !self.leaves(state) && self.meets_rigid_stop(state, energy_j) {
@@ -243,7 +249,7 @@ impl Equations<'_> {
             return true;
         }
         // The following bound does not include the weight.
-        if setup.weight_n > 0.0 {
+        if setup.weight_n > 0.0 || !Rule::SlipsWithinFriction.applies() {
             return false;
         }
         // Slips back and forth in the hole: each starts with more energy than the oscillation whose peak load friction just carries. All
@@ -275,7 +281,7 @@ impl Equations<'_> {
         // The limit load of a plug decreases with each slip.
         let keeps = self.is_undamped() && setup.absorber.is_none() && !setup.shears();
         let keeps = keeps && setup.weight_n == 0.0;
-        let may_slip = setup.plastic && is_past && is_joined && keeps;
+        let may_slip = setup.plastic && is_past && is_joined && keeps && Rule::LastSlips.applies();
         if !may_slip || self.meets_rigid_stop(state, energy_j) {
             return None;
         }
@@ -349,7 +355,7 @@ impl Equations<'_> {
         let Equations { setup, mode } = self;
         let x_m = self.displacement_m(state.x_m);
         let is_driven = mode.elastic.rest_ahead(x_m) > x_m && x_m < place_m;
-        if !is_driven || setup.damper.is_absent() {
+        if !is_driven || setup.damper.is_absent() || !Rule::Overshoot.applies() {
             return f64::INFINITY;
         }
         let goes_back = state.w_m_s < 0.0;
@@ -390,7 +396,7 @@ impl Equations<'_> {
         }
         let reach_m = self.max_reachable_displacement_m(state, energy_j);
         let stroke_m = larger(far_m.abs(), far_m - setup.start_m);
-        if reach_m - far_m <= NEGLIGIBLE * stroke_m {
+        if reach_m - far_m <= NEGLIGIBLE * stroke_m && Rule::Reach.applies() {
             return Some(far_m);
         }
         if self.overshoots_at_most_m(state, energy_j, far_m) <= NEGLIGIBLE * stroke_m {
@@ -415,7 +421,10 @@ impl Equations<'_> {
         }
         let in_full = matches!(setup.stepping, IntegrationMethod::CollocationInFull(_));
         // Only the spring can reverse the motion.
-        let by_spring = setup.damper.is_absent() && !setup.has_stop() && !in_full;
+        let by_spring = setup.damper.is_absent()
+            && !setup.has_stop()
+            && !in_full
+            && Rule::SpringTurns.applies();
         by_spring.then(|| {
             let back_m = mode.elastic.reach(x_m, energy_j, -1.0);
             let is_gone = state.w_m_s < 0.0 && back_m.is_infinite();

@@ -12,6 +12,7 @@ use crate::model::impact::equations::{Equations, State};
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::PlateConstraint;
 use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::rule::Rule;
 use crate::numerics::{larger, smaller};
 
 /// Duration of the first moment, relative to the shortest time scale of the contact: `R / v_i`, or that of its stiffness or damping. Within
@@ -117,7 +118,7 @@ impl Equations<'_> {
     /// The plate is locked if inertia alone would allow a much larger displacement by that time. After unlocking it is then quasi-static.
     pub(super) fn initial_lock_displacement_m(&self) -> Option<f64> {
         let setup = self.setup;
-        if !setup.starts_steep() || setup.law != ContactLaw::Flow {
+        if !setup.starts_steep() || !Rule::InitialLock.applies() || setup.law != ContactLaw::Flow {
             return None;
         }
         let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
@@ -158,7 +159,8 @@ impl Equations<'_> {
             _ => held_m,
         };
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
-        self.mode.hold == PlateConstraint::Free
+        Rule::Relock.applies()
+            && self.mode.hold == PlateConstraint::Free
             && self.setup.law == ContactLaw::Flow
             && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
             && spring.is_steep_at_zero()
@@ -209,7 +211,9 @@ impl Equations<'_> {
         let damped_m = damper.force(balanced.1) / slope_n_m;
         let damped_m_s = (damper.exponent + 1.0) * (power - 1.0) * rate * damped_m;
         let (off_m, off_m_s) = (lag_m + damped_m, lag_m_s + damped_m_s);
-        if off_m.abs() < SMALL_LAG * x_m.abs() && off_m_s.abs() < SMALL_LAG * balanced.1.abs() {
+        let is_small =
+            off_m.abs() < SMALL_LAG * x_m.abs() && off_m_s.abs() < SMALL_LAG * balanced.1.abs();
+        if is_small && Rule::Lag.applies() {
             (balanced.0 - off_m, balanced.1 - off_m_s)
         } else {
             balanced
@@ -249,7 +253,8 @@ impl Equations<'_> {
     /// range: its further displacement is negligible.
     pub(super) fn creeps(&self, state: &State) -> bool {
         let ImpactParameters { damper, creep_m_s, .. } = *self.setup;
-        self.mode.hold == PlateConstraint::Free
+        Rule::Creep.applies()
+            && self.mode.hold == PlateConstraint::Free
             && state.w_m_s.abs() < creep_m_s
             && !self.is_touching()
             && (self.mechanism_n(state.x_m, 0.0) - self.joined_weight_n()).abs()
@@ -272,7 +277,8 @@ impl Equations<'_> {
     pub(super) fn passes_zero(&self, state: &State) -> bool {
         let Some((way_s, false)) = self.next_zero(state) else { return false };
         let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
-        way_s * larger(slip.abs(), plate.abs()) < HELD * state.w_m_s.abs()
+        Rule::ZeroPassed.applies()
+            && way_s * larger(slip.abs(), plate.abs()) < HELD * state.w_m_s.abs()
             && self.setup.stop_at_m.abs() > self.displacement_m(state.x_m).abs()
     }
 
@@ -295,7 +301,7 @@ impl Equations<'_> {
                 least_s = smaller(least_s, way_s);
             }
         }
-        SINGULARITY_STEP_FRACTION * least_s
+        if Rule::Approach.applies() { SINGULARITY_STEP_FRACTION * least_s } else { f64::INFINITY }
     }
 }
 

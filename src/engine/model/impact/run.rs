@@ -15,6 +15,7 @@ use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
 use crate::model::impact::reduced_system::ReducedSystem;
 use crate::model::impact::results::{self, GROWTH, ImpactRun};
+use crate::model::impact::rule::Rule;
 use crate::model::run::{Cost, EndReason, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::event_location::{EventSearch, first_crossing};
@@ -37,8 +38,6 @@ const LANDINGS_MAX: usize = 6;
 const SECANTS: usize = 8;
 /// Minimum step size, relative to `R / v_i`; smaller steps do not change t.
 const MIN_STEP_FRACTION: f64 = 1e-15;
-/// Tolerance of an event function for a second event at the same time, relative to its scale: rounding can put the state beyond it.
-const SIMULTANEOUS_EVENT_TOLERANCE: f64 = 1e-9;
 /// Turns of the plate and changes of its contact after the first contact from which on these, and not the steps between them, use up the
 /// work of a run. Decided runs rarely have more.
 const CHANGES_FEW: usize = 100;
@@ -245,7 +244,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
 
     /// Returns `true` if an event is the reverse of the event at the present state: its function is zero, apart from rounding.
     fn is_undone_by(&self, event: Event) -> bool {
-        self.last.is_some_and(|last| last.is_undone_by(event))
+        Rule::Undone.applies() && self.last.is_some_and(|last| last.is_undone_by(event))
     }
 
     /// Applies the transition of an event at a state.
@@ -333,7 +332,6 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                 self.course.record.step(equations, &path);
                 self.course.state = law.state(h_s, &step.end);
                 self.course.record.reach(equations, &self.course.state);
-                modes::rebase_displacement(&mut self.course.mode, &mut self.course.state);
                 self.last = None;
                 let mut acceleration = [[0.0; S]; 2];
                 acceleration[..D].copy_from_slice(&step.acceleration);
@@ -395,7 +393,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                     event_function(equations, *other, start),
                     event_function(equations, *other, &state),
                 );
-                before > 0.0 && now < -SIMULTANEOUS_EVENT_TOLERANCE * before
+                before > 0.0 && now < 0.0
             });
             if comes_first {
                 return Err(0.5 * h_s);
