@@ -12,7 +12,7 @@ use cmra_engine::model::variables::{VARIABLES, Variable, is_used};
 use cmra_studies::report::document::Document;
 use cmra_studies::report::figures::run::selected;
 use cmra_studies::report::figures::sweeps::picture;
-use cmra_studies::report::limit::{answer, meaning, remarks, residual, taken_to_hold};
+use cmra_studies::report::limit::{answer, page as limit_page};
 use cmra_studies::report::measured;
 use cmra_studies::report::run::page::{of_first, sentence, titled};
 use cmra_studies::report::svg::Picture;
@@ -116,29 +116,16 @@ fn results(page: &mut Document, run: &Run) {
 
 /// Appends the ballistic limit with its curve.
 fn ballistic_limit(page: &mut Document, report: &limit::LimitReport) {
-    let mut lines = Vec::new();
-    lines.push(format!("verdict: {}", answer(report)));
-    let expected = report.verdict().expected;
-    lines.extend(expected.as_ref().map(|expected| format!("expected: {}", expected.words())));
-    let law = if expected.is_some() { "law alone: " } else { "" };
-    match report.limit.velocity_m_s() {
-        Some(velocity) => lines.push(format!("{law}{}", units::velocity(velocity, DIGITS))),
-        None => lines.extend(report.limit.absence()),
-    }
-    lines.push(format!("criterion: {}", report.scene.target.criterion.label()));
-    if let Some(margin) = report.margin() {
-        lines.push(format!("{:+.1} % over the scene's own velocity", 100.0 * margin));
-    }
-    let remarks = remarks(report).into_iter().chain(taken_to_hold(report)).chain(meaning(report));
-    lines.extend(remarks.map(|remark| format!("{}: {}", remark.about, remark.text)));
     let warnings = report.at_limit.as_ref().map(envelope::warnings).unwrap_or_default();
     let known: Vec<Warning> = library::warnings(&report.scene).collect();
     let of_limit = warnings.iter().filter(|warning| !known.contains(warning));
-    lines.extend(of_limit.map(|warning| format!("at the limit: {warning}")));
+    let of_limit: Vec<String> =
+        of_limit.map(|warning| format!("at the limit: {warning}")).collect();
     page.heading("Ballistic limit");
-    page.list(&lines);
-    if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s) {
-        page.picture(&Picture::Chart(chart));
+    let found = limit_page("", report);
+    page.blocks(&found.blocks[1..]);
+    if !of_limit.is_empty() {
+        page.list(&of_limit);
     }
 }
 

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
+use crate::report::page::Block;
 use crate::report::svg::{self, Picture, Svg, escaped};
+use crate::report::table::Cells;
 
 /// Style sheet of a report: black on white, 1.5 pictures wide, without external resources.
 const STYLE: &str = "body { max-width: 60em; margin: 2em auto; padding: 0 1em; font-family: sans-serif; color: #111; \
@@ -39,13 +41,49 @@ impl Document {
         let _ = writeln!(self.0, "<ul>\n{items}</ul>");
     }
 
+    /// Appends the blocks of a report; texts beside labels become a list.
+    pub fn blocks(&mut self, blocks: &[Block]) {
+        for part in blocks.chunk_by(|a, b| item(a).is_some() && item(b).is_some()) {
+            let items: Vec<String> = part.iter().filter_map(item).collect();
+            if items.is_empty() {
+                part.iter().for_each(|it| self.block(it));
+            } else {
+                self.list(&items);
+            }
+        }
+    }
+
+    fn block(&mut self, block: &Block) {
+        match block {
+            Block::Title(text) | Block::Heading(text) => self.heading(text),
+            Block::Line(text) => self.paragraph(text.trim()),
+            Block::Fact { remark, .. } => self.paragraph(&remark.text),
+            Block::Ends(left, right) => self.paragraph(&format!("{left} {right}")),
+            Block::Table(columns) => self.columns(columns),
+            Block::Picture(picture, _) => self.picture(picture),
+            Block::Warnings(list) => self.list(list),
+            Block::Space => {}
+        }
+    }
+
+    fn columns(&mut self, columns: &[Cells]) {
+        let head: Vec<String> = columns.iter().map(|column| column.head.clone()).collect();
+        let count = columns.first().map_or(0, |column| column.cells.len());
+        let texts = |at: usize| columns.iter().map(|column| column.cells[at].clone()).collect();
+        self.rows(&head, (0..count).map(texts));
+    }
+
     /// Appends a table: column names, and rows of as many texts.
     pub fn table<const N: usize>(
         &mut self,
         head: [&str; N],
         rows: impl Iterator<Item = [String; N]>,
     ) {
-        let head = row("th", &head.map(str::to_owned));
+        self.rows(&head.map(str::to_owned), rows.map(Vec::from));
+    }
+
+    fn rows(&mut self, head: &[String], rows: impl Iterator<Item = Vec<String>>) {
+        let head = row("th", head);
         let rows: String = rows.map(|texts| row("td", &texts)).collect();
         let _ =
             writeln!(self.0, "<table>\n<thead>\n{head}</thead>\n<tbody>\n{rows}</tbody>\n</table>");
@@ -65,6 +103,13 @@ impl Document {
     pub fn html(self) -> String {
         self.0 + "</body>\n</html>\n"
     }
+}
+
+/// Returns the label and the text of a block that has both.
+fn item(block: &Block) -> Option<String> {
+    let Block::Fact { remark, .. } = block else { return None };
+    let label = remark.about.trim();
+    (!label.is_empty()).then(|| format!("{label}: {}", remark.text))
 }
 
 fn row(cell: &str, texts: &[String]) -> String {
