@@ -12,6 +12,7 @@ use crate::model::closed_form;
 use crate::model::estimate;
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, Scene};
+use crate::model::stack;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
 pub use method::IntegrationMethod;
@@ -84,8 +85,8 @@ fn with_estimate(mut run: Run, work_max: usize, observer: Observer<'_>) -> Run {
     run
 }
 
-/// Simulates one impact by a given method, without series or error estimate. `None` for the listing of the Appendix, which has a scheme of
-/// its own. The observer may cancel the run.
+/// Simulates a shot by a given method and the law alone, without series or error estimate: one plate, or a stack plate by plate. `None` for
+/// the listing of the Appendix, which has a scheme of its own. The observer may cancel the run.
 ///
 /// # Errors
 /// A [`VariableError`] if the scene is physically impossible.
@@ -95,6 +96,13 @@ pub fn step_by(
     observer: Observer<'_>,
 ) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
-    let is_stepped = scene.contact.model != ContactModel::Appendix;
-    Ok(is_stepped.then(|| run_by(scene, Settings::BARE, stepping, observer)))
+    if scene.contact.model == ContactModel::Appendix {
+        return Ok(None);
+    }
+    let mut run = run_by(scene, Settings::BARE, stepping, observer);
+    let behind = &mut |plate: Scene| {
+        step_by(stepping, &Arc::new(plate), observer).map(Option::unwrap_or_default)
+    };
+    run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
+    Ok(Some(run))
 }

@@ -24,15 +24,38 @@ pub fn simulate(
     settings: &Settings,
     observer: Observer<'_>,
 ) -> Result<Run, VariableError> {
+    shoot(scene, settings, withhold_perforation, observer)
+}
+
+/// Simulates an impact as [`simulate`] does, and returns a perforation also where the law is known to underestimate the limit. For comparisons
+/// of numerical methods, which have the law in common.
+///
+/// # Errors
+/// Those of [`simulate`].
+pub fn simulate_by_law_alone(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    observer: Observer<'_>,
+) -> Result<Run, VariableError> {
+    shoot(scene, settings, |_| (), observer)
+}
+
+/// Runs the plates of a scene one after the other and applies a verdict to each.
+fn shoot(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    judge: fn(&mut Run),
+    observer: Observer<'_>,
+) -> Result<Run, VariableError> {
     variables::validate(scene)?;
     check_rows(settings)?;
     if scene.contact.model == ContactModel::Appendix {
         return Ok(listing::run(scene, *settings, observer));
     }
     let mut run = impact::run(scene, *settings, observer);
-    withhold_perforation(&mut run);
+    judge(&mut run);
     let mut unseen = |look: &RunSnapshot<'_>| observer(&RunSnapshot { so_far: &|| None, ..*look });
-    let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, &mut unseen);
+    let behind = &mut |plate: Scene| shoot(&Arc::new(plate), settings, judge, &mut unseen);
     run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
     Ok(run)
 }

@@ -13,7 +13,7 @@ use crate::study::context::Context;
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
 use cmra_engine::model::run::RunSnapshot;
-use cmra_engine::model::scene::Scene;
+use cmra_engine::model::scene::{ContactModel, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables::{self, VariableError};
 use cmra_engine::numerics::larger;
@@ -155,8 +155,9 @@ pub fn compare(
     context: &mut Context<'_, AccuracyReport>,
 ) -> Result<AccuracyReport, VariableError> {
     variables::validate(scene)?;
-    variables::require_single(scene)?;
-    variables::require_hydrodynamic(scene)?;
+    if scene.contact.model == ContactModel::Appendix {
+        variables::require_hydrodynamic(scene)?;
+    }
     let mut steps = 0_u64;
     let mut observe = context.observer();
     // Only one that takes very long is looked at: the number of points is known after it.

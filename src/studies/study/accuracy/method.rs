@@ -13,8 +13,8 @@ use cmra_engine::model::contact_kernel::Contact;
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
 use cmra_engine::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
-use cmra_engine::model::scene::{InterfaceLaw, Listing, Scene};
-use cmra_engine::model::simulate::{Settings, simulate};
+use cmra_engine::model::scene::{ContactModel, InterfaceLaw, Listing, Scene};
+use cmra_engine::model::simulate::{Settings, simulate_by_law_alone};
 
 enumeration! {
     /// Result that methods are compared by.
@@ -91,6 +91,8 @@ pub struct Answer {
 pub enum Refusal {
     /// The contact kernel does not apply to the scene.
     NeedsSimulation,
+    /// The listing of the thesis has one plate and the hydrodynamic law.
+    OtherContact,
     /// The listing of the thesis has only one massless power-law spring.
     NoPowerLaw,
     /// The plate reaches its stop during the contact; the listing has no stop.
@@ -112,6 +114,7 @@ impl Refusal {
     pub fn message(self) -> &'static str {
         match self {
             Self::NeedsSimulation => "left to the simulation, as in a sweep",
+            Self::OtherContact => "not applicable: one plate, hydrodynamic law only",
             Self::NoPowerLaw => "not applicable: only a massless spring k |x|^n",
             Self::StopActs => "not applicable: a stop acts",
             Self::Ended(EndReason::BreaksOff) => "wrong: projectile leaves through the entry face",
@@ -311,27 +314,30 @@ impl Job {
 }
 
 fn auto(scene: &Arc<Scene>) -> Result<Answer, Refusal> {
-    let run = simulate(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(()));
+    let run = simulate_by_law_alone(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(()));
     answer_of(&run.map_err(|_invalid| Refusal::NonFinite)?)
 }
 
-/// Returns the results of a run; an error if its outcome is undecided.
+/// Returns the results of a run; an error if its outcome is undecided. For a stack the outcome, the depth and the last velocity are those of
+/// the whole shot, the other results those of the first plate.
 pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
-    if matches!(run.outcome, Outcome::Moving | Outcome::Unmeasured) || !run.end.is_complete() {
-        return Err(Refusal::Ended(run.end));
+    let outcome = run.stack.as_ref().map_or(run.outcome, |stack| stack.outcome);
+    let last = run.plates().last().unwrap_or(run);
+    if matches!(outcome, Outcome::Moving | Outcome::Unmeasured) || !last.end.is_complete() {
+        return Err(Refusal::Ended(last.end));
     }
     let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
-    let depth_m = run.final_penetration_m.filter(|_| run.outcome != Outcome::Perforated);
+    let depth_m = run.shot_depth_m().filter(|_| outcome != Outcome::Perforated);
     let cost = run.cost;
     Ok(Answer {
-        outcome: run.outcome,
+        outcome,
         results: Results::new(|of| match of {
             Compared::Depth => depth_m,
             Compared::Time => time_s,
             Compared::Displacement => run.max_plate_displacement_m,
             Compared::Force => run.peak_contact_force_n,
             Compared::LastVelocity => {
-                run.residual_velocity_m_s.or_else(|| Some(run.separation?.velocity_m_s))
+                last.residual_velocity_m_s.or_else(|| Some(last.separation?.velocity_m_s))
             }
             Compared::LastTime => run.exit_time_s.or_else(|| Some(run.separation?.t_s)),
             Compared::MountForce => {
@@ -346,7 +352,8 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
 
 /// Runs the contact kernel. It computes the first contact only: its depth is final unless the interface can yield later.
 fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
-    let end = Contact::from_scene(scene).and_then(|contact| contact.run(tolerance));
+    let contact = Contact::from_scene(scene).filter(|_| !scene.is_stack());
+    let end = contact.and_then(|contact| contact.run(tolerance));
     let end = end.ok_or(Refusal::NeedsSimulation)?;
     let outcome = if end.arrested { Outcome::Arrested } else { Outcome::Perforated };
     let is_final = end.arrested && scene.interface.law == InterfaceLaw::Fused;
@@ -358,6 +365,9 @@ fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
 
 /// Runs the listing as printed, up to the horizon or the end of the contact, whichever is later.
 pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
+    if scene.contact.model != ContactModel::Hydrodynamic || scene.is_stack() {
+        return Err(Refusal::OtherContact);
+    }
     if scene.is_sprung() && !scene.mechanism.is_plain() {
         return Err(Refusal::NoPowerLaw);
     }

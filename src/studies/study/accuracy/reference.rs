@@ -12,7 +12,7 @@ use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
 use cmra_engine::model::reference::Stored;
 use cmra_engine::model::run::{Observer, Outcome};
-use cmra_engine::model::scene::{InterfaceLaw, Scene};
+use cmra_engine::model::scene::{ContactModel, InterfaceLaw, Scene};
 use cmra_engine::model::variables::{Group, VARIABLES, changed_free_plate, is_used};
 use cmra_engine::numerics::larger;
 
@@ -169,9 +169,11 @@ impl References {
     }
 }
 
-/// Returns the stored results of a scene and their uncertainty; `None` for another scene, or for an interface that is not fused.
+/// Returns the stored results of a scene and their uncertainty; `None` for another scene. The stored scenes have one plate, the
+/// hydrodynamic law and a fused interface.
 pub(in crate::study) fn stored(scene: &Scene) -> Option<(Stored, f64)> {
-    if scene.interface.law != InterfaceLaw::Fused {
+    let is_other = scene.contact.model != ContactModel::Hydrodynamic || scene.is_stack();
+    if is_other || scene.interface.law != InterfaceLaw::Fused {
         return None;
     }
     let counts = |group: Group| !matches!(group, Group::Interface | Group::Run);

@@ -70,6 +70,36 @@ fn whole_runs_are_compared_in_every_result_they_have() {
     }
 }
 
+/// Other contact models, a stack, and a cylinder below the measured range: the methods have the law in common, whatever it is.
+#[test]
+fn methods_are_compared_for_every_contact_model_and_for_stacks() {
+    let blunt = "nose=blunt m_p=197g R=10mm rho=7850 closure=cylindrical E=200GPa Y=490MPa UTS=567MPa \
+                 h=11.9mm v_i=400 mount=rigid";
+    for pairs in [
+        "k=1e5 b=50 model=half-sine",
+        "k=1e5 b=50 model=initial-velocity",
+        "k=1e5 b=50 model=lumped k_load=1e7 k_unload=3e7",
+        "k=1e5 b=50 h=3mm v_i=200 h_base=20mm",
+        blunt,
+    ] {
+        let methods = compared(pairs, SettingGrid::Quick);
+        for letter in ['A', 'N', 'D', 'I'] {
+            let finest = methods[&letter].measured().next_back();
+            let (_, finest) = finest.unwrap_or_else(|| panic!("{pairs}: {letter}"));
+            assert!(finest.error() < 1e-8, "{pairs}: {letter} {:?}", finest.errors);
+        }
+        // Without a contact there is no time to divide into steps.
+        if pairs != blunt && !pairs.contains("initial-velocity") {
+            let refusals = methods[&'T'].refusals();
+            assert_eq!(refusals[0].0, Refusal::OtherContact.message(), "{pairs}");
+        }
+    }
+    let stack = scene("k=1e5 b=50 h=3mm v_i=200 h_base=20mm");
+    let references = References::from_scene(&stack, &mut |_| ControlFlow::Continue(()));
+    // Deeper than the first plate: the depth of the whole shot.
+    assert!(references.engine.unwrap().results.get(Compared::Depth).unwrap() > 3e-3);
+}
+
 #[test]
 fn tight_parameters_of_every_accurate_method_reach_the_reference() {
     let scenes =
