@@ -25,9 +25,6 @@ const PART_SHARE: u32 = 20;
 /// Steps between two readings of the clock. A reading takes about a tenth of a step.
 const STEPS_PER_LOOK: u32 = 8;
 
-/// Maximum number of steps of the additional run with a plastic interface; its result is secondary.
-const PLASTIC_STEPS: u32 = 200_000;
-
 /// Runs a scene and reports the result.
 pub(super) fn of_scene(
     slot: Slot,
@@ -69,12 +66,7 @@ pub(super) fn run(
     let took = reporter.elapsed();
     reporter.elapsed.set(Some(took));
     run.cost.took_s = Some(took.as_secs_f64());
-    let mut left = PLASTIC_STEPS;
-    let mut observer = |_: &RunSnapshot<'_>| {
-        left = left.saturating_sub(1);
-        if left == 0 { ControlFlow::Break(()) } else { reporter.check_cancelled() }
-    };
-    simulate::add_plastic(&mut run, &mut observer);
+    simulate::add_plastic(&mut run, &mut |_| reporter.check_cancelled());
     Ok(run.into())
 }
 

@@ -97,7 +97,7 @@ const SAID: [(&str, &str); 9] = [
     ("residual velocity", "residual_velocity_m_s"),
     ("peak contact force", "peak_contact_force_n"),
     ("peak mount force", "peak_mount_force_n"),
-    ("greatest displacement", "max_plate_displacement_m"),
+    ("max plate displacement", "max_plate_displacement_m"),
     ("stroke", "stroke_m"),
 ];
 

@@ -222,5 +222,5 @@ fn valid_the_table_of_a_stack_gives_the_mount_force_of_each_plate() {
         elements += 1;
     }
     assert_eq!(elements, 3, "{page}");
-    assert!(page.contains("greatest mount force of a plate: 20.06 kN, base plate"), "{page}");
+    assert!(page.contains("peak mount force of a plate: 20.06 kN, base plate"), "{page}");
 }

@@ -8,7 +8,7 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
         "depth, and in brackets percent, of the same shot if the interface between projectile and plate can yield; set interface=plastic",
     ),
     (
-        &["travel", "back-face travel", "maximum plate displacement", "greatest displacement"],
+        &["travel", "maximum plate displacement", "greatest displacement"],
         "maximum displacement of the plate from the neutral position of its spring (max_plate_displacement_m)",
     ),
     (

@@ -14,7 +14,7 @@ use crate::study::compare::{
     is_equal,
 };
 use crate::study::limit::RANGE_M_S;
-use crate::study::quantities::find;
+use crate::study::quantities::{Quantity, find};
 use cmra_engine::model::library;
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Warning;
@@ -28,6 +28,7 @@ pub mod page;
 const LINE: (&str, &str) = ("line of 1", ": above 1 the armour is lighter than the solid plate");
 /// Label of the limit of plate and spring together.
 const SURVIVES: &str = "if spring holds";
+const DISPLACEMENT: &str = "max_plate_displacement_m";
 /// Keys of the lines of a page.
 const LINES: [&str; 22] = [
     "candidate",
@@ -48,7 +49,7 @@ const LINES: [&str; 22] = [
     "peak_mount_force_at_limit_n",
     "mount_impulse_n_s",
     "preload_energy_j",
-    "max_plate_displacement_m",
+    DISPLACEMENT,
     "thickness_m",
     "residual_velocity_m_s",
     "penetration_m",
@@ -58,6 +59,7 @@ const LINES: [&str; 22] = [
 pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
     let own = |name| move |it: &&Entry| find(name)?.value(&it.run);
+    let label = |name| find(name).map_or_else(String::new, Quantity::heading);
     let preload_j = |it: &&Entry| {
         (!Mechanism::from_scene(&it.run.scene).is_absent())
             .then_some(it.run.ledger.initial_spring_j)
@@ -84,17 +86,22 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
         .shown(beyond)
         .with("limit_if_spring_survives_m_s", SURVIVES, "m/s", |it| it.limit_m_s)
         .shown(beyond)
-        .with("stroke_m", "stroke", "m", own("stroke_m"))
-        .with("stored_energy_j", "stored energy", "J", own("stored_energy_j"))
-        .with("peak_mount_force_n", "mount force", "N", own("peak_mount_force_n"))
-        .with("mount_impulse_n_s", "mount impulse", "N s", own("mount_impulse_n_s"))
+        .with("stroke_m", label("stroke_m"), "m", own("stroke_m"))
+        .with("stored_energy_j", label("stored_energy_j"), "J", own("stored_energy_j"))
+        .with("peak_mount_force_n", label("peak_mount_force_n"), "N", own("peak_mount_force_n"))
+        .with("mount_impulse_n_s", label("mount_impulse_n_s"), "N s", own("mount_impulse_n_s"))
         .with("preload_energy_j", "preloaded energy", "J", preload_j)
         .with("stroke_at_limit_m", "  at the limit", "m", at_limit("stroke_m"))
         .with("stored_energy_at_limit_j", "  at the limit", "J", at_limit("stored_energy_j"))
         .with("peak_mount_force_at_limit_n", "  at the limit", "N", at_limit("peak_mount_force_n"))
-        .with("max_plate_displacement_m", "back-face travel", "m", own("max_plate_displacement_m"))
+        .with(DISPLACEMENT, label(DISPLACEMENT), "m", own(DISPLACEMENT))
         .with("thickness_m", "thickness", "m", |it| it.run.scene.target.thickness_m)
-        .with("residual_velocity_m_s", "residual velocity", "m/s", own("residual_velocity_m_s"))
+        .with(
+            "residual_velocity_m_s",
+            label("residual_velocity_m_s"),
+            "m/s",
+            own("residual_velocity_m_s"),
+        )
         .with("penetration_m", "depth", "m", |it| it.depth_m());
     expected_columns(table, |it| it.shot.expected.as_ref())
 }

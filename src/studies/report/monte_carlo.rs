@@ -80,8 +80,8 @@ pub fn v50(report: &MonteCarloReport) -> Option<String> {
     })
 }
 
-/// Columns of the quantiles: key, heading, probability.
-const QUANTILES: [(&str, &str, f64); 7] = [
+/// Quantiles: key, label, probability.
+pub const QUANTILES: [(&str, &str, f64); 7] = [
     ("q01", "1 %", 0.01),
     ("q05", "5 %", 0.05),
     ("q25", "25 %", 0.25),

@@ -229,7 +229,7 @@ pub static QUANTITIES: &[Quantity] = &[
     result(PeakContactForce, Force, "greatest contact force while penetrating").short("contact"),
     result(MaxPlateDisplacement, Length, "greatest plate displacement")
         .by_contact(Displacement(|it, _| it.max_displacement_m))
-        .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
+        .at_least(|run| run.at_least.plate_displacement_m).short("displacement").absent(UNSTOPPED),
     result(Stroke, Length, "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral")
         .by_contact(Displacement(|it, _| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),

@@ -41,7 +41,7 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
     }
     if let Some((force_n, plate)) = greatest {
         let force = units::engineering(force_n, "N", 4);
-        lines.push(format!("greatest mount force of a plate: {force}, {}", stack.name(plate)));
+        lines.push(format!("peak mount force of a plate: {force}, {}", stack.name(plate)));
     }
     lines
 }

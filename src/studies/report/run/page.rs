@@ -195,7 +195,7 @@ pub fn results(run: &Run) -> Vec<Labelled> {
         ("  projectile velocity", known(separation.map(|it| it.velocity_m_s), "m/s")),
         ("peak contact force", known(run.peak_contact_force_n, "N")),
         ("peak mount force", known(mount_force, "N")),
-        ("greatest displacement", displacement),
+        ("max plate displacement", displacement),
         ("displacement so far", known(so_far.plate_displacement_m, "m")),
         ("stroke so far", known(stroke_so_far, "m")),
         ("stroke", known(run.stroke_m(), "m")),
@@ -390,13 +390,25 @@ mod tests {
         let results = labelled(results(&run)).join("\n");
         assert!(results.contains("  common velocity       50.0000 m/s"), "{results}");
         assert!(
-            results.contains("greatest displacement   none: nothing stops the plate"),
+            results.contains("max plate displacement  none: nothing stops the plate"),
             "{results}"
         );
         let energy = energy(&run.ledger).join("\n");
         assert!(energy.contains("at the start  147.500 J  100.00 %"), "{energy}");
         assert!(energy.contains("penetration   73.7500 J   50.00 %"), "{energy}");
         assert!(energy.contains("plate         36.8750 J   25.00 %"), "{energy}");
+    }
+
+    /// A result has the label of its quantity, where it is one.
+    #[test]
+    fn results_have_the_labels_of_quantities() {
+        let lines = results(&run_of(""));
+        for name in
+            ["peak_contact_force_n", "peak_mount_force_n", "max_plate_displacement_m", "stroke_m"]
+        {
+            let title = quantities::find(name).unwrap().title();
+            assert!(lines.iter().any(|line| line.0 == title), "{title}: {lines:?}");
+        }
     }
 
     #[test]

@@ -37,10 +37,13 @@ pub(super) fn min_peak_n(run: &Run) -> Option<f64> {
     run.at_least.plate_displacement_m.and_then(|_| load::peak_so_far_n(run))
 }
 
-/// Returns `true` if the maximum mount force follows from the initial and turning positions: for an odd power law without stop, damper and
-/// rotating parts.
+/// Returns `true` if the maximum mount force follows from the initial and turning positions: for a sprung plate on an odd power law without
+/// stop, damper and rotating parts.
 pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
     let mechanism = Mechanism::from_scene(scene);
+    if !scene.is_sprung() || mechanism.is_absent() {
+        return false;
+    }
     let is_odd = mechanism.spring.power().is_some();
     let is_alone = mechanism.stop.is_none() && mechanism.damper.coefficient == 0.0;
     is_odd && is_alone && Inertia::from_scene(scene).rotation_kg == 0.0
@@ -49,13 +52,10 @@ pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
 /// Computes the mount force of a spring alone, without a simulation, from the initial and turning positions; `None` if other parts
 /// contribute.
 pub(super) fn force_n(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
+    if !turn_tells_force(scene) || load::holds_still(scene, max_displacement_m) {
+        return None;
+    }
     let mechanism = Mechanism::from_scene(scene);
-    if !scene.is_sprung() || mechanism.is_absent() || !turn_tells_force(scene) {
-        return None;
-    }
-    if load::holds_still(scene, max_displacement_m) {
-        return None;
-    }
     let (start_m, max_displacement_m) = (scene.start_m(), max_displacement_m?);
     let [at_start, at_turn] = [start_m, max_displacement_m].map(|x| mechanism.spring.force(x));
     Some(larger(at_start.abs(), at_turn.abs()))

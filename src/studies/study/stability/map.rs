@@ -8,7 +8,7 @@ use cmra_engine::model::appendix::Scheme;
 use cmra_engine::model::run::{EndReason, Observer, Outcome};
 use cmra_engine::model::scene::{Listing, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
-use cmra_engine::model::variables::{self, VariableError};
+use cmra_engine::model::variables::{self, Number, Variable, VariableError};
 use cmra_engine::numerics::larger;
 
 /// Largest relative error of an accurate cell.
@@ -56,30 +56,25 @@ enumeration! {
         symbol: &'static str,
         /// Meaning of the variable.
         about: &'static str,
-        /// Returns the value in a scene.
-        get: fn(&Scene) -> f64,
-        /// Sets the value in a scene.
-        set: fn(&mut Scene, f64),
         /// Smallest and largest value; the values in between have equal ratios.
         range: (f64, f64),
     }
     /// Spring coefficient.
     K {
-        symbol: "k", about: "Spring coefficient", range: (1e3, 1e12),
-        get: |scene| scene.mechanism.spring.coefficient,
-        set: |scene, value| scene.mechanism.spring.coefficient = value
-    }
+        symbol: "k", about: "Spring coefficient", range: (1e3, 1e12) }
     /// Spring exponent.
     N {
-        symbol: "n", about: "Spring exponent", range: (0.05, 6.0),
-        get: |scene| scene.mechanism.spring.exponent,
-        set: |scene, value| scene.mechanism.spring.exponent = value
-    }
+        symbol: "n", about: "Spring exponent", range: (0.05, 6.0) }
     /// Damper coefficient.
     B {
-        symbol: "b", about: "Damper coefficient", range: (1.0, 1e8),
-        get: |scene| scene.mechanism.damper.coefficient,
-        set: |scene, value| scene.mechanism.damper.coefficient = value
+        symbol: "b", about: "Damper coefficient", range: (1.0, 1e8) }
+}
+
+impl Axis {
+    /// Returns the variable of scenes.
+    fn number(self) -> &'static Number {
+        let variable = variables::find(self.symbol()).ok().and_then(Variable::number);
+        variable.expect("a number of the table of variables, by a test")
     }
 }
 
@@ -206,13 +201,13 @@ pub fn map(scene: &Scene, wanted: StabilityMapRequest, context: &mut Context<'_,
         cells: vec![Cell::Waiting; rows * columns],
         dt_s,
         values,
-        present: (axis.get())(scene),
+        present: (axis.number().get)(scene).unwrap_or(0.0),
     };
     context.expect(rows);
     let (steps, stop) = (map.dt_s.clone(), context.stop());
     let row = |value: &f64| {
         let mut own = scene.clone();
-        (axis.set())(&mut own, *value);
+        (axis.number().set)(&mut own, Some(*value));
         let target = Target::from_scene(&own, &mut |_| stop.flow());
         let cell =
             |dt_s: &f64| (!stop.is_set()).then(|| cell(&own, method, *dt_s, target.as_ref()));
@@ -298,6 +293,15 @@ mod tests {
         let stops = &mut |_: Progress, _: Option<&Map>| ControlFlow::Break(());
         let found = map(&scene, request, &mut Context::new(1, stops));
         assert!(found.cells.iter().all(|cell| *cell == Cell::Waiting));
+    }
+
+    #[test]
+    fn every_axis_is_a_number_of_scenes() {
+        for axis in Axis::ALL {
+            let mut scene = Scene::default();
+            (axis.number().set)(&mut scene, Some(axis.range().1));
+            assert_eq!((axis.number().get)(&scene), Some(axis.range().1));
+        }
     }
 
     #[test]

@@ -10,7 +10,6 @@ use crate::study::quantities::{FromContact, turn_tells_force};
 use crate::study::sweep::Plan;
 use cmra_engine::model::contact::Geometry;
 use cmra_engine::model::contact_kernel::Contact;
-use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::Group;
@@ -57,12 +56,7 @@ impl Kernel {
         let wanted =
             if self.displacement { ContactOutput::Displacement } else { ContactOutput::Contact };
         // The peak mount force follows from the start and the turning points of the plate.
-        let tells_force = || {
-            let sprung = scene.is_sprung();
-            !self.force
-                || (sprung && turn_tells_force(scene) && !Mechanism::from_scene(scene).is_absent())
-        };
-        if !(decides(scene, wanted) && tells_force()) {
+        if !decides(scene, wanted) || self.force && !turn_tells_force(scene) {
             return None;
         }
         let (contact, tolerance) =

@@ -7,7 +7,7 @@ use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::pages::search::study_page::{Answer, note};
 use crate::tui::widgets::text::{fitting, shortened};
 use crate::worker::studies::SearchRequest;
-use cmra_studies::report::monte_carlo::{drawn_again, perforation, table, warnings};
+use cmra_studies::report::monte_carlo::{QUANTILES, drawn_again, perforation, table, warnings};
 use cmra_studies::report::table::{Cells, Table};
 use cmra_studies::study::monte_carlo::{
     DEFAULT_DEVIATION, Estimate, MonteCarloReport, Request, Summary, default_tolerances,
@@ -15,8 +15,9 @@ use cmra_studies::study::monte_carlo::{
 
 /// Number of bins of the histogram.
 const BINS: usize = 40;
-/// Displayed columns.
-const QUANTILES: [&str; 5] = ["output", "q05", "q50", "q95", "nominal"];
+/// Displayed quantiles, and all displayed columns.
+const SHOWN: [&str; 3] = ["q05", "q50", "q95"];
+const COLUMNS: [&str; 5] = ["output", SHOWN[0], SHOWN[1], SHOWN[2], "nominal"];
 
 pub(super) const STUDY: Study = Study {
     title: "Monte Carlo",
@@ -77,7 +78,7 @@ impl Answer for MonteCarloReport {
     }
 
     fn table(&self, _app: &App) -> Vec<Cells> {
-        known(self).cells(&QUANTILES)
+        known(self).cells(&COLUMNS)
     }
 
     fn marked(&self, app: &App) -> Option<usize> {
@@ -114,8 +115,8 @@ impl Answer for MonteCarloReport {
         let x = Axis::fitted(measure.title(), measure.unit(), values);
         let y = Axis::over("", "%", Scale::Linear, highest.chain([0.0]));
         let Some((x, y)) = x.zip(y) else { return };
-        let marks = [(0.05, "5 %"), (0.5, "median"), (0.95, "95 %")];
-        let marks = marks.into_iter().filter_map(|(fraction, tag)| {
+        let marks = QUANTILES.into_iter().filter(|it| SHOWN.contains(&it.0));
+        let marks = marks.filter_map(|(_, tag, fraction)| {
             summary.quantile(fraction).map(|quantile| Mark::new(quantile.value, tag))
         });
         let curves = vec![Curve::new('*', "", &steps)];
