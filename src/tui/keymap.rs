@@ -390,7 +390,7 @@ pub static GLOBAL_KEYS: &[KeyHelp] = &[
     line(&[(A::PageUp, "page-up", "PgUp"), (A::PageDown, "page-down", "PgDn")], "a page up, a page down"),
     line(&[(A::Enter, "enter", "Enter")], "edit, open, or load the design under the cursor"),
     line(&[(A::Back, "back", "Esc")], "close, or stop the job of this tab"),
-    line(&[(A::Find, "find", "/")], "show the variables, claims or lines of the log that match"),
+    line(&[(A::Find, "find", "/")], "show the variables or lines of the log that match"),
     line(&[(A::Palette, "palette", ":")], "find an action, preset, variable or page by name"),
     line(&[(A::Help, "help", "?")], "keys of this pane, and what the selected row means"),
     line(&[(A::Undo, "undo", "u"), (A::Redo, "redo", "Ctrl-r"), (A::ResetAll, "reset-all", "R")], "undo, redo (any edit); set all variables as in the preset"),

@@ -249,9 +249,8 @@ fn in_place(app: &mut App, key: KeyEvent) {
 pub(crate) fn open_find(app: &mut App) {
     let page = pages::page(app.tab);
     let Some(text) = page.filter(app).map(|filter| filter.clone()) else {
-        return app.report_progress(
-            "<find> works in the variables, the claims and the log; <palette> elsewhere",
-        );
+        return app
+            .report_progress("<find> works in the variables and the log; <palette> elsewhere");
     };
     // Typing replaces the old text.
     app.typing = Some(ActiveInput::Find(TextField::selected(text)));

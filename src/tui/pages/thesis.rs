@@ -8,8 +8,6 @@ use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::preset::ReferencePreset;
-use crate::tui::widgets::find::{rank, ranked};
-use crate::tui::widgets::table::{NO_MATCH, filtered};
 use crate::worker::studies::Claims;
 use cmra_studies::report::{measured as limits, thesis};
 use cmra_studies::study::measured::{errors, left_out};
@@ -30,7 +28,6 @@ const PANES: &[PaneSpec] = &[
     PaneSpec { pane: CLAIMS, label: "Claims", keys: &[
         key(A::Down, "claim", "select another claim"),
         key(A::Enter, "open", "load the preset that shows the claim"),
-        key(A::Find, "find", "find a claim"),
     ] },
     PaneSpec { pane: PRINCIPLES, label: "Principles", keys: &[
         key(A::Down, "principle", "select another principle"),
@@ -74,7 +71,9 @@ impl Page for ThesisTab {
         match (app.pane(), action) {
             // The claims do not depend on the scene.
             (CLAIMS, Action::Run) => jobs::study_of(app, action, &Arc::default(), Claims),
-            (CLAIMS, Action::Enter) => open(app, app.claim().and_then(|row| row.claim.preset)),
+            (CLAIMS, Action::Enter) => {
+                open(app, app.pages.thesis.claim().and_then(|row| row.claim.preset))
+            }
             (PRINCIPLES, Action::Enter) => open(app, Some(principle(app).preset)),
             _ => return false,
         }
@@ -86,7 +85,7 @@ impl Page for ThesisTab {
             let Principle { section, preset, .. } = principle(app);
             return note(Some(format!("section {section}: <enter> opens {preset}")));
         }
-        let claim = app.claim().filter(|_| app.pane() == CLAIMS)?.claim;
+        let claim = app.pages.thesis.claim().filter(|_| app.pane() == CLAIMS)?.claim;
         let opens = match claim.preset {
             Some(name) => format!("<enter> opens {name}"),
             None => "no preset shows this".to_owned(),
@@ -122,7 +121,7 @@ impl Page for ThesisTab {
             MEASURED => ("measured-limits.csv", Reach::Complete, limits::rows(left_out()).csv()),
             _ => {
                 // The table contains the displayed claims that are already checked.
-                let shown: Vec<Row> = app.claims().into_iter().cloned().collect();
+                let shown: Vec<Row> = app.pages.thesis.rows().to_vec();
                 let reach = tab.report.reach;
                 let text = || thesis::claims(&shown).with_reach(reach).csv();
                 let text = (!shown.is_empty()).then(text)?;
@@ -135,7 +134,7 @@ impl Page for ThesisTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         let (tab, shown) = (&app.pages.thesis, app.list_rows());
         match app.pane() {
-            CLAIMS => Some(Rows { count: app.claims().len(), selected: tab.selected, shown }),
+            CLAIMS => Some(Rows { count: tab.rows().len(), selected: tab.selected, shown }),
             PRINCIPLES => {
                 Some(Rows { count: principles::PRINCIPLES.len(), selected: tab.principle, shown })
             }
@@ -147,10 +146,6 @@ impl Page for ThesisTab {
         let is_principle = app.pane() == PRINCIPLES;
         let tab = &mut app.pages.thesis;
         *(if is_principle { &mut tab.principle } else { &mut tab.selected }) = row;
-    }
-
-    fn filter<'a>(&self, app: &'a mut App) -> Option<&'a mut String> {
-        (app.pane() == CLAIMS).then_some(&mut app.pages.thesis.find)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
@@ -221,21 +216,6 @@ fn look(app: &mut App) {
     explore::ExploreTab.enter(app);
 }
 
-impl App {
-    /// Returns the claims that match the filter, best first.
-    pub fn claims(&self) -> Vec<&Row> {
-        let tab = &self.pages.thesis;
-        ranked(tab.rows().iter(), |row| {
-            let claim = &row.claim;
-            rank(&tab.find, &[claim.id, claim.place], claim.says)
-        })
-    }
-
-    pub fn claim(&self) -> Option<&Row> {
-        self.claims().get(self.pages.thesis.selected).copied()
-    }
-}
-
 fn role(verdict: ClaimVerdict) -> Role {
     match verdict {
         ClaimVerdict::Reproduced => Role::Text,
@@ -251,16 +231,13 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     } else {
         split_bottom(area, DETAIL.min(area.height / 2))
     };
-    let shown = app.claims();
-    let count = format!("{} of {}", shown.len(), tab.rows().len());
-    let title = filtered("Claims of the thesis", &tab.find);
-    let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
+    let shown = tab.rows();
+    let pane = PaneFrame::new("Claims of the thesis")
+        .right(shown.len().to_string())
+        .focused(app.dialog.is_none());
     let inner = pane.draw(list, canvas);
     if shown.is_empty() {
-        let text = match tab.rows() {
-            [] => nothing::<Claims>(app, "checking the first claims", None),
-            _ => app.keymap.shown(NO_MATCH),
-        };
+        let text = nothing::<Claims>(app, "checking the first claims", None);
         canvas.put(inner, (1, 1), &text, Role::Dim);
     }
     let says = PLACE.min(inner.width / 3);
@@ -279,7 +256,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let target = |line: usize| Some(Target::Row(CLAIMS, lines[line].0));
     rows.render(canvas, inner, target, |canvas, line, at| {
         let (index, is_first, part) = &lines[at];
-        let row = shown[*index];
+        let row = &shown[*index];
         let role = role(row.claim.verdict);
         if *is_first {
             canvas.put(line, (0, 0), &row.claim.verdict.letter().to_string(), role);
@@ -296,10 +273,10 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// Draws the selected claim in full, one part below the other.
 fn claim(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let place = app.claim().map_or("", |row| row.claim.place);
+    let place = app.pages.thesis.claim().map_or("", |row| row.claim.place);
     let hint = app.keymap.shown("<next-pane>: principles");
     let inner = PaneFrame::new(place).right(hint).draw(area, canvas);
-    let Some(row) = app.claim() else { return };
+    let Some(row) = app.pages.thesis.claim() else { return };
     let verdict = format!("{} {}", row.claim.verdict.letter(), row.claim.verdict.words());
     let texts = [
         ("says", row.claim.says),

@@ -1,4 +1,4 @@
-//! The Thesis tab: claims come in as they are checked, are filtered and opened; principles and concepts are tables.
+//! The Thesis tab: claims come in as they are checked, are opened; principles and concepts are tables.
 
 use super::bench::{Bench, ended, stopped};
 use super::jobs::writes_a_part;

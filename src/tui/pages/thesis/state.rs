@@ -12,9 +12,7 @@ pub const MEASURED: Pane = Pane::new(Tab::Thesis, 3);
 #[derive(Clone, Debug, Default)]
 pub struct Thesis {
     pub report: CachedResult<Vec<Row>>,
-    /// Filter text of the claims.
-    pub find: String,
-    /// Selected row of Claims, among the displayed ones.
+    /// Selected row of Claims.
     pub selected: usize,
     /// Selected row of Principles.
     pub principle: usize,
@@ -23,5 +21,10 @@ pub struct Thesis {
 impl Thesis {
     pub fn rows(&self) -> &[Row] {
         self.report.result.as_ref().map_or(&[], |report| report)
+    }
+
+    /// Returns the selected claim.
+    pub fn claim(&self) -> Option<&Row> {
+        self.rows().get(self.selected)
     }
 }
