@@ -16,7 +16,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use clock::Clock;
+use clock::Clocks;
 use reporter::Reporter;
 use studies::{ResultVariant, SearchRequest, StudyRequest, StudyResult};
 
@@ -40,7 +40,7 @@ pub struct Task {
     pub page: Page,
     /// Number of threads, for work that can be divided.
     pub threads: usize,
-    /// Time limit, after which the task ends with its partial result; unlimited if `None`.
+    /// Limit of processor time, after which the task ends with its partial result; unlimited if `None`.
     pub budget: Option<Duration>,
     pub scene: Arc<Scene>,
     pub request: StudyRequest,
@@ -148,7 +148,7 @@ pub struct Worker {
 struct Shared {
     jobs: Mutex<Jobs>,
     cores: Arc<SharedCores>,
-    clock: Clock,
+    clocks: Clocks,
     make: Make,
     sink: Box<Sink>,
 }
@@ -172,13 +172,13 @@ impl Jobs {
 impl Worker {
     /// Creates a worker without tasks; `sink` receives every report.
     pub fn spawn(sink: impl Fn(TaskReport) + Send + Sync + 'static) -> Self {
-        Self::with(clock::wall(), |task, reporter| task.request.make(&task.scene, reporter), sink)
+        Self::with(clock::system(), |task, reporter| task.request.make(&task.scene, reporter), sink)
     }
 
-    /// Creates a worker with a given clock, for the times of reports, and a given function that computes tasks.
-    fn with(clock: Clock, make: Make, sink: impl Fn(TaskReport) + Send + Sync + 'static) -> Self {
+    /// Creates a worker with given clocks and a given function that computes tasks.
+    fn with(clocks: Clocks, make: Make, sink: impl Fn(TaskReport) + Send + Sync + 'static) -> Self {
         let (jobs, cores) = (Mutex::default(), SharedCores::new(cores()));
-        Self { shared: Arc::new(Shared { jobs, cores, clock, make, sink: Box::new(sink) }) }
+        Self { shared: Arc::new(Shared { jobs, cores, clocks, make, sink: Box::new(sink) }) }
     }
 
     /// Starts a task and cancels the running task of its slot.
@@ -217,7 +217,7 @@ impl Shared {
     }
 
     fn run(&self, task: &Task, cancel: &CancelFlag) {
-        let begun = (self.clock)();
+        let begun = (self.clocks.wall)();
         let send = |body| (self.sink)(TaskReport { id: task.id, body });
         // A run of the edited scene reduces the number of cores of the studies.
         let user = self.cores.enter();
@@ -227,7 +227,7 @@ impl Shared {
         // The slot is free before the final report, whose receiver may submit the next task.
         self.lock().running.retain(|job| job.0 != task.id);
         send(body);
-        let now = (self.clock)();
+        let now = (self.clocks.wall)();
         let mut jobs = self.lock();
         if now.saturating_sub(begun) > LONG || now.saturating_sub(jobs.trimmed) > WHILE {
             jobs.trimmed = now;

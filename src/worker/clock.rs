@@ -3,10 +3,28 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+pub use cmra_studies::study::context::Clock;
 use rustix::time::{ClockId, clock_gettime};
 
-/// Function that returns the time since a fixed instant. Tests pass a clock that they advance themselves.
-pub type Clock = Arc<dyn Fn() -> Duration + Send + Sync>;
+/// Clocks of the worker. Tests pass clocks that they advance themselves.
+#[derive(Clone)]
+pub struct Clocks {
+    /// Elapsed time.
+    pub wall: Clock,
+    /// Processor time of the calling thread.
+    pub thread: Clock,
+    /// Processor time of the process.
+    pub process: Clock,
+}
+
+/// Returns the clocks of the system.
+pub fn system() -> Clocks {
+    Clocks {
+        wall: wall(),
+        thread: Arc::new(|| processor(ClockId::ThreadCPUTime)),
+        process: Arc::new(|| processor(ClockId::ProcessCPUTime)),
+    }
+}
 
 /// Returns a clock that starts now.
 pub fn wall() -> Clock {
@@ -14,10 +32,16 @@ pub fn wall() -> Clock {
     Arc::new(move || start.elapsed())
 }
 
+/// Returns the time of a clock that counts processor time.
+fn processor(clock: ClockId) -> Duration {
+    let time = clock_gettime(clock);
+    let seconds = u64::try_from(time.tv_sec).unwrap_or(0);
+    Duration::new(seconds, u32::try_from(time.tv_nsec).unwrap_or(0))
+}
+
 /// Returns the processor time of this thread, s. Other programs on a busy machine do not increase it, unlike elapsed time.
 pub fn processor_s() -> f64 {
-    let time = clock_gettime(ClockId::ThreadCPUTime);
-    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
+    processor(ClockId::ThreadCPUTime).as_secs_f64()
 }
 
 #[cfg(test)]

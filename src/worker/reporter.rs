@@ -8,10 +8,10 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::clock::Clock;
+use super::clock::Clocks;
 use super::studies::StudyResult;
 use super::{JobProgress, ReportBody, Shared, Task};
-use cmra_studies::study::context::{Answer, CancelFlag, Progress, Reach, Threads};
+use cmra_studies::study::context::{Answer, CancelFlag, Progress, Reach, Threads, WorkClock};
 
 /// Minimum intervals between the partial results of a task.
 #[derive(Clone, Copy, Debug)]
@@ -33,8 +33,11 @@ pub(super) struct Reporter<'a> {
     pub(super) threads: Threads,
     budget: Option<Duration>,
     tempo: ReportInterval,
-    clock: &'a Clock,
+    clocks: &'a Clocks,
     started: Duration,
+    /// Processor time of this thread at the start, and that of the pieces on other threads.
+    thread_started: Duration,
+    work: Arc<WorkClock>,
     /// Duration of the computation, if it differs from the time since the start.
     pub(super) elapsed: Cell<Option<Duration>>,
     /// Time of the last progress report, since the start.
@@ -55,14 +58,18 @@ impl<'a> Reporter<'a> {
         send: &'a dyn Fn(ReportBody),
         cancel: &'a CancelFlag,
     ) -> Self {
+        let clocks = &shared.clocks;
+        let work = WorkClock::new(Arc::clone(&clocks.thread), Arc::clone(&clocks.process));
         Self {
             send,
             cancel,
-            threads: Threads::shared(task.threads, &shared.cores),
+            threads: Threads::shared(task.threads, &shared.cores).timed(&work),
             budget: task.budget,
             tempo: task.request.tempo(),
-            clock: &shared.clock,
-            started: (shared.clock)(),
+            clocks,
+            started: (clocks.wall)(),
+            thread_started: (clocks.thread)(),
+            work,
             elapsed: Cell::new(None),
             last_progress: Cell::new(Duration::ZERO),
             shown: Cell::new(None),
@@ -73,18 +80,24 @@ impl<'a> Reporter<'a> {
 
     /// Returns the time since the start.
     pub(super) fn elapsed(&self) -> Duration {
-        (self.clock)().saturating_sub(self.started)
+        (self.clocks.wall)().saturating_sub(self.started)
     }
 
     /// Returns a clock for the threads of the task: the time since its start, s.
     pub(super) fn clock(&self) -> impl Fn() -> f64 + Sync + use<> {
-        let (clock, started) = (Arc::clone(self.clock), self.started);
+        let (clock, started) = (Arc::clone(&self.clocks.wall), self.started);
         move || clock().saturating_sub(started).as_secs_f64()
+    }
+
+    /// Returns the processor time since the start, of this thread and of the pieces on other threads. Other work of the machine does not
+    /// increase it.
+    fn processor_time(&self) -> Duration {
+        (self.clocks.thread)().saturating_sub(self.thread_started) + self.work.spent()
     }
 
     /// Returns `Break` if the task is cancelled or its time limit is reached.
     pub(super) fn check_cancelled(&self) -> ControlFlow<()> {
-        let is_over = self.budget.is_some_and(|budget| self.elapsed() >= budget);
+        let is_over = self.budget.is_some_and(|budget| self.processor_time() >= budget);
         if self.cancel.is_set() || is_over {
             self.is_stopped.set(true);
             return ControlFlow::Break(());

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
+use super::clock::{Clock, Clocks};
 use super::reporter::Reporter;
 use super::runs::run;
 use super::studies::{
@@ -107,12 +108,19 @@ fn ended(body: ReportBody) -> (Arc<Run>, Duration) {
     }
 }
 
+/// Clocks that move with each look at them: that of elapsed time by `wall`, those of processor time by [`TICK`].
+fn clocks(wall: Duration) -> Clocks {
+    let moving = |by: Duration| -> Clock {
+        let looks = AtomicU64::new(0);
+        Arc::new(move || by * u32::try_from(looks.fetch_add(1, Ordering::Relaxed)).expect("few"))
+    };
+    Clocks { wall: moving(wall), thread: moving(TICK), process: moving(TICK) }
+}
+
 fn start() -> (Worker, Receiver<TaskReport>) {
     let (send, receive) = mpsc::channel();
     let sink = move |report| drop(send.send(report));
-    let looks = AtomicU64::new(0);
-    let clock = move || TICK * u32::try_from(looks.fetch_add(1, Ordering::Relaxed)).expect("few");
-    (Worker::with(Arc::new(clock), make, sink), receive)
+    (Worker::with(clocks(TICK), make, sink), receive)
 }
 
 fn next(reports: &Receiver<TaskReport>) -> TaskReport {
@@ -317,6 +325,19 @@ fn studies_of_other_slots_run_at_once() {
     let mut ends = [next_last(&reports).id, next_last(&reports).id];
     ends.sort_unstable();
     assert_eq!(ends, [1, 2]);
+}
+
+/// On a busy machine a study waits for minutes between two looks at the clocks, and may use its processor time all the same.
+#[test]
+fn the_time_limit_is_one_of_processor_time() {
+    let (send, receive) = mpsc::channel();
+    let sink = move |report| drop(send.send(report));
+    let worker = Worker::with(clocks(Duration::from_secs(600)), make, sink);
+    let budget = Some(Duration::from_millis(50));
+    worker.submit(Task { budget, ..study(1, Claims, true) });
+    let answer = next_last(&receive).body.found::<Vec<Row>>().expect("a part");
+    let Reach::Partial(Progress { done, .. }) = answer.reach else { panic!("{answer:?}") };
+    assert_eq!(done, 9, "the tenth look finds 50 ms");
 }
 
 /// The clock moves by 5 ms with each look at it: a budget of 50 ms ends an endless study by itself.

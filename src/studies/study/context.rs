@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use crate::study::parallel;
-pub use crate::study::parallel::{SharedCores, Threads, Work};
+pub use crate::study::parallel::{Clock, SharedCores, Threads, Work, WorkClock};
 use cmra_engine::model::simulate::RunSnapshot;
 
 /// Steps of a run after which a study looks again whether to stop: a run may have millions of steps.

@@ -4,6 +4,7 @@
 //! piece depends on the piece only.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Sender};
@@ -68,23 +69,98 @@ impl Drop for CoreUser {
     }
 }
 
+/// Function that returns the time since a fixed instant.
+pub type Clock = Arc<dyn Fn() -> Duration + Send + Sync>;
+
+/// Processor time of the pieces of a study, which run on threads of their own.
+pub struct WorkClock {
+    /// Processor time of the calling thread, and of the process.
+    clocks: [Clock; 2],
+    state: Mutex<WorkTime>,
+}
+
+#[derive(Debug, Default)]
+struct WorkTime {
+    /// Processor time of the finished pieces.
+    spent: Duration,
+    /// Number of running pieces.
+    running: usize,
+    /// Processor time of the process when the last piece began or ended.
+    since: Duration,
+}
+
+impl WorkClock {
+    /// Creates a clock that reads the processor time of the calling thread and that of the process.
+    pub fn new(thread: Clock, process: Clock) -> Arc<Self> {
+        Arc::new(Self { clocks: [thread, process], state: Mutex::default() })
+    }
+
+    fn change(&self, by: impl FnOnce(&mut WorkTime)) {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        by(&mut state);
+        state.since = (self.clocks[1])();
+    }
+
+    /// Does a piece on the calling thread and counts its time.
+    fn count<T>(&self, piece: impl FnOnce() -> T) -> T {
+        self.change(|state| state.running += 1);
+        let begun = (self.clocks[0])();
+        let result = piece();
+        let took = (self.clocks[0])().saturating_sub(begun);
+        self.change(|state| {
+            state.running -= 1;
+            state.spent += took;
+        });
+        result
+    }
+
+    /// Returns the processor time of all pieces so far. A thread cannot read the time of another one, so a running piece counts with the
+    /// time of the whole process since it began.
+    pub fn spent(&self) -> Duration {
+        let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        let running = (self.clocks[1])().saturating_sub(state.since);
+        state.spent + if state.running > 0 { running } else { Duration::ZERO }
+    }
+}
+
+impl fmt::Debug for WorkClock {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.state.fmt(f)
+    }
+}
+
 /// Number of threads of a study: fixed, or at most its share of the cores at any moment.
 #[derive(Clone, Debug)]
 pub struct Threads {
     count: usize,
     cores: Option<Arc<SharedCores>>,
+    clock: Option<Arc<WorkClock>>,
 }
 
 impl Threads {
     /// At most this many threads, and at most the share of the cores.
     pub fn shared(count: usize, cores: &Arc<SharedCores>) -> Self {
-        Self { count, cores: Some(Arc::clone(cores)) }
+        Self { count, cores: Some(Arc::clone(cores)), clock: None }
     }
 
     /// At most this many threads.
     #[must_use]
     pub fn at_most(self, count: usize) -> Self {
         Self { count: self.count.min(count), ..self }
+    }
+
+    /// Counts the processor time of the pieces on a clock.
+    #[must_use]
+    pub fn timed(self, clock: &Arc<WorkClock>) -> Self {
+        Self { clock: Some(Arc::clone(clock)), ..self }
+    }
+
+    /// Does a piece, and counts its time if there is a clock.
+    fn counted<T>(&self, piece: impl FnOnce() -> T) -> T {
+        match &self.clock {
+            Some(clock) => clock.count(piece),
+            None => piece(),
+        }
     }
 
     /// Threads at most.
@@ -114,7 +190,7 @@ impl Threads {
 
 impl From<usize> for Threads {
     fn from(count: usize) -> Self {
-        Self { count, cores: None }
+        Self { count, cores: None, clock: None }
     }
 }
 
@@ -174,7 +250,8 @@ pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
             allowed.wait(index, &is_over);
             let number = next.lock().unwrap_or_else(PoisonError::into_inner).recv();
             let Ok(number) = number else { return };
-            if done.send((number, make(work.piece(number)))).is_err() {
+            let result = allowed.counted(|| make(work.piece(number)));
+            if done.send((number, result)).is_err() {
                 return;
             }
         }
@@ -242,6 +319,30 @@ mod tests {
                 assert_eq!(seen, (0..points).collect::<Vec<u64>>(), "{threads} {points}");
             }
         }
+    }
+
+    /// A thread's clock shows a second more with each look at it; that of the process is read while a piece runs.
+    #[test]
+    fn the_time_of_pieces_on_other_threads_is_counted() {
+        let looks = Arc::new(Mutex::new(0_u64));
+        let thread: Clock = Arc::new(move || {
+            let mut looks = looks.lock().unwrap();
+            *looks += 1;
+            Duration::from_secs(*looks)
+        });
+        let clock = WorkClock::new(thread, Arc::new(|| Duration::from_secs(5)));
+        let threads = Threads::from(1).timed(&clock);
+        let worker = || |piece: Range<u64>| piece.count();
+        let take = |_: Option<(Range<u64>, usize)>| ControlFlow::Continue(());
+        assert!(map(&threads, Work { count: 7, at_once: 1 }, worker, take).is_continue());
+        assert_eq!(clock.spent(), Duration::from_secs(7));
+        let process: Clock = Arc::new(|| Duration::from_secs(5));
+        let clock = WorkClock::new(Arc::new(|| Duration::ZERO), process);
+        clock.count(|| {
+            clock.state.lock().unwrap().since = Duration::from_secs(2);
+            assert_eq!(clock.spent(), Duration::from_secs(3));
+        });
+        assert_eq!(clock.spent(), Duration::ZERO);
     }
 
     #[test]

@@ -22,8 +22,8 @@ const QUIET: Duration = Duration::from_millis(30);
 /// Duration of a job, from its first report, above which it is discarded only after confirmation.
 pub(crate) const LONG: Duration = Duration::from_secs(5);
 
-/// Time limit of a study that starts when its page is shown, s. With one thread and 20 ms between checks it takes less than 0.2 s of
-/// processor time. The rest is computed on request.
+/// Limit of processor time of a study that starts when its page is shown. With one thread and 20 ms between checks it takes less than
+/// 0.2 s. The rest is computed on request.
 pub(crate) const LOOK: Duration = Duration::from_millis(160);
 
 /// Idle time after which a page computes its deferred results.
@@ -138,9 +138,10 @@ pub(crate) fn begin_rest(app: &mut App) {
 
 /// Cancels the studies that started when their page was shown, because a key was pressed.
 pub(crate) fn end_looks(app: &mut App) {
-    let looks = app.jobs.studies.iter().filter(|running| running.is_look);
-    let ends: Vec<Effect> = looks.map(|running| Effect::Cancel(running.id)).collect();
-    app.effects.extend(ends);
+    for running in app.jobs.studies.iter_mut().filter(|running| running.is_look) {
+        running.is_ended = true;
+        app.effects.push(Effect::Cancel(running.id));
+    }
 }
 
 /// Returns `true` if this key may cancel a job; a long job only if the key is repeated.
@@ -184,8 +185,18 @@ fn task(
     let task =
         Task { id, page, threads, budget, scene: Arc::clone(&scene), request: request.clone() };
     app.request(Effect::Submit(task));
-    let is_look = budget.is_some();
-    Running { id, tab, is_look, scene, request, points: None, elapsed: None, reached: None }
+    let (is_look, is_ended) = (budget.is_some(), false);
+    Running {
+        id,
+        tab,
+        is_look,
+        is_ended,
+        scene,
+        request,
+        points: None,
+        elapsed: None,
+        reached: None,
+    }
 }
 
 /// Updates the state of a study from a report; returns the study.

@@ -21,6 +21,8 @@ pub struct Running {
     pub tab: Tab,
     /// Whether the task started because its page was shown.
     pub is_look: bool,
+    /// Whether a key ended the task before its time limit.
+    pub is_ended: bool,
     pub scene: Arc<Scene>,
     pub request: StudyRequest,
     /// Computed and total number of points, if known.
@@ -126,14 +128,16 @@ pub struct CachedResult<T> {
     pub reach: Reach,
     /// Whether the study started because its page was shown.
     pub is_look: bool,
+    /// Whether a key ended the study before its time limit.
+    pub is_ended: bool,
     /// Run time; `None` while the study is active.
     pub elapsed: Option<Duration>,
 }
 
 impl<T> Default for CachedResult<T> {
     fn default() -> Self {
-        let (scene, request, result, reach, is_look, elapsed) = Default::default();
-        Self { scene, request, result, reach, is_look, elapsed }
+        let (scene, request, result, reach, is_look, is_ended, elapsed) = Default::default();
+        Self { scene, request, result, reach, is_look, is_ended, elapsed }
     }
 }
 
@@ -146,7 +150,8 @@ impl<T> CachedResult<T> {
         let Some(Answer { report, reach, elapsed }) = news.found::<T>() else { return false };
         let (scene, request) = (Arc::clone(&running.scene), Some(running.request.clone()));
         let (result, elapsed) = (Some(report), news.is_last().then_some(elapsed));
-        *self = Self { scene, request, result, reach, is_look: running.is_look, elapsed };
+        let Running { is_look, is_ended, .. } = *running;
+        *self = Self { scene, request, result, reach, is_look, is_ended, elapsed };
         true
     }
 
@@ -166,8 +171,8 @@ impl<T> CachedResult<T> {
     }
 
     /// Returns `true` if showing the page computes no more of the result: it is complete, or the time limit is used up.
-    pub fn has_been_looked_at(&self, time: Duration) -> bool {
-        self.elapsed.is_some_and(|took| self.is_over() || took >= time)
+    pub fn has_been_looked_at(&self) -> bool {
+        self.elapsed.is_some() && (self.is_over() || !self.is_ended)
     }
 
     /// Returns `true` if the result for a scene is final.

@@ -65,7 +65,6 @@ const VERDICT_ROWS: u16 = 2;
 const BOTH: u16 = 14;
 /// Time limit of a comparison when the page is shown; the map has the remaining time.
 const COMPARISON_LOOK: Duration = Duration::from_millis(100);
-const MAP_LOOK: Duration = jobs::LOOK.saturating_sub(COMPARISON_LOOK);
 
 pub(crate) struct LimitTab;
 
@@ -74,7 +73,7 @@ fn missing_comparison(app: &App) -> Option<Arc<Scene>> {
     let tab = &app.pages.limit;
     let is_known = |kept: &CachedResult<compare::ComparisonReport>, scene: &Scene| {
         let is_there = kept.result.is_some() && *kept.scene == *scene;
-        is_there && kept.has_been_looked_at(COMPARISON_LOOK)
+        is_there && kept.has_been_looked_at()
     };
     let is_coming = |scene: &Scene| {
         app.jobs.running::<MassComparison>().is_some_and(|running| *running.scene == *scene)
@@ -90,7 +89,7 @@ fn missing_comparison(app: &App) -> Option<Arc<Scene>> {
 
 fn is_map_missing(app: &App) -> bool {
     let kept = &app.pages.limit.map;
-    let is_there = app.efficiency_map().is_some() && kept.has_been_looked_at(MAP_LOOK);
+    let is_there = app.efficiency_map().is_some() && kept.has_been_looked_at();
     let running = app.jobs.running::<EfficiencyMapStudy>();
     let is_coming = running.is_some_and(|running| *running.scene == *app.scene);
     map::has_map(&app.scene) && !is_there && !is_coming

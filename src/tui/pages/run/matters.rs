@@ -40,7 +40,7 @@ impl Matters {
     /// Returns `true` if the report of a scene is complete, or its time limit is used up.
     fn is_settled(&self, scene: &Scene) -> bool {
         let kept = &self.kept;
-        self.report().is_some() && *kept.scene == *scene && kept.has_been_looked_at(jobs::LOOK)
+        self.report().is_some() && *kept.scene == *scene && kept.has_been_looked_at()
     }
 }
 
