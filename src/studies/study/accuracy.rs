@@ -168,8 +168,9 @@ pub fn compare(
     let references = References::from_scene(scene, patient);
     drop(observe);
     let end_s = references.any().map_or(f64::NAN, |reference| reference.end_s());
-    let plan: Vec<(Method, Vec<Parameter>)> =
-        Method::ALL.map(|method| (method, method.parameters(end_s, effort.ladder))).into();
+    let mut plan = Method::ALL.map(|method| (method, method.parameters(end_s, effort.ladder)));
+    // First the method that runs scenes: its answer is the one that a stopped comparison needs.
+    plan.sort_by_key(|(method, _)| *method != Method::Auto);
     context.expect(plan.iter().map(|(_, parameters)| parameters.len()).sum());
     let printed = printed_limit(scene, end_s);
     let printed_off = printed.zip(references.any()).and_then(|(limit, right)| {
@@ -190,7 +191,8 @@ pub fn compare(
             _ if method.has_own_steps() => references.other,
             _ => references.engine,
         };
-        report.methods.push(MethodReport { method, reference, points: Vec::new() });
+        let at = report.methods.partition_point(|it| (it.method as usize) < method as usize);
+        report.methods.insert(at, MethodReport { method, reference, points: Vec::new() });
         let mut is_costly = false;
         for parameter in parameters {
             if !context.show(&report) {
@@ -208,9 +210,7 @@ pub fn compare(
                 // A tighter tolerance takes more evaluations; a shorter fixed step may be what a method lacks.
                 Err(refusal) => refusal.is_of_work() && !parameter.is_step(),
             };
-            if let Some(method) = report.methods.last_mut() {
-                method.points.push(Point { parameter, result });
-            }
+            report.methods[at].points.push(Point { parameter, result });
         }
     }
     if !context.is_stopped() {

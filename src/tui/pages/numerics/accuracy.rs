@@ -60,7 +60,7 @@ impl App {
     pub(crate) fn accuracy_answers(&self) -> Vec<String> {
         let tab = &self.pages.numerics.accuracy;
         let Some(report) = &tab.report.result else { return Vec::new() };
-        if !tab.report.is_complete() {
+        if !tab.report.is_complete() && tab.tolerance().is_none() {
             let counted = self.jobs.running::<MethodBenchmark>().and_then(|it| it.points);
             let counted = counted.map(|(done, total)| format!(" ({done} of {total})"));
             let counted = counted.unwrap_or_default();
@@ -217,8 +217,9 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     };
     let is_old = tab.report.is_stale(&app.accuracy_scene());
     chart.title = if is_old { "Relative error, of another scene" } else { "Relative error" }.into();
-    for (method, curve) in Method::ALL.into_iter().zip(&mut chart.curves) {
-        curve.emphasis = emphasis(is_old, method == tab.method());
+    let methods = tab.report.result.iter().flat_map(|report| &report.methods);
+    for (report, curve) in methods.zip(&mut chart.curves) {
+        curve.emphasis = emphasis(is_old, report.method == tab.method());
     }
     chart.focused = app.dialog.is_none();
     canvas.draw(&chart, area);
