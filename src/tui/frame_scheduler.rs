@@ -32,8 +32,9 @@ const NEVER_ANSWERED: u32 = 2;
 
 /// Idle time of the connection after an animation frame, relative to the time of that frame.
 const REST: f64 = 2.0;
-/// Idle time after an animation frame for a terminal that does not acknowledge frames.
+/// Minimum idle time after an animation frame for a terminal that does not acknowledge frames, and bytes per second of such frames.
 const REST_UNKNOWN: Duration = Duration::from_millis(250);
+const RATE_UNKNOWN: f64 = 2000.0;
 
 pub(super) struct FrameScheduler {
     /// Whether the screen has changed since the last frame.
@@ -130,13 +131,14 @@ impl FrameScheduler {
         (self.under_way, self.owed) = (None, (0, None));
     }
 
-    /// Records that a frame was drawn; an unchanged frame sends no data.
-    pub(super) fn drawn(&mut self, now: Instant, changed: bool) {
+    /// Records that a frame of so many bytes was drawn; an unchanged frame has none.
+    pub(super) fn drawn(&mut self, now: Instant, bytes: usize) {
         (self.dirty, self.moving) = (false, false);
         self.waits_until = None;
-        if changed {
+        if bytes > 0 {
             if !self.answers {
-                self.rests_until = now + REST_UNKNOWN;
+                let takes = Duration::from_secs_f64(bytes as f64 / RATE_UNKNOWN);
+                self.rests_until = now + takes.max(REST_UNKNOWN);
             }
             self.full_at = self.full_at.max(now) + FRAME;
             let asked = self.requests_ack();
@@ -160,7 +162,7 @@ mod tests {
         while now < start + span {
             pace.change();
             if pace.due().is_some_and(|due| due <= now) {
-                pace.drawn(now, true);
+                pace.drawn(now, 1);
                 frames += 1;
             }
             now += Duration::from_millis(1);
@@ -177,7 +179,7 @@ mod tests {
         let second = start + Duration::from_secs(4);
         for now in [start, second] {
             pace.change();
-            pace.drawn(now, true);
+            pace.drawn(now, 1);
         }
         let until = Some(second + LAST_ARRIVAL);
         assert_eq!(pace.answers_until(), until);
@@ -187,7 +189,7 @@ mod tests {
         assert_eq!(pace.answers_until(), None);
         // Another program receives the answers of a terminal that was handed over.
         pace.change();
-        pace.drawn(second, true);
+        pace.drawn(second, 1);
         pace.lost();
         assert_eq!(pace.answers_until(), None);
     }
@@ -197,7 +199,7 @@ mod tests {
         let now = Instant::now();
         let mut pace = FrameScheduler::new(now);
         assert!(pace.due().is_some_and(|due| due <= now));
-        pace.drawn(now, true);
+        pace.drawn(now, 1);
         assert_eq!(pace.due(), None);
     }
 
@@ -215,7 +217,7 @@ mod tests {
     fn on_a_slow_line_a_frame_is_drawn_when_the_last_one_has_arrived() {
         let start = Instant::now();
         let mut pace = FrameScheduler::new(start);
-        pace.drawn(start, true);
+        pace.drawn(start, 1);
         pace.arrived(start);
         let (mut now, mut frames) = (start, 0);
         let mut arrives = None;
@@ -228,7 +230,7 @@ mod tests {
             }
             if pace.due().is_some_and(|due| due <= now) {
                 assert_eq!(arrives, None, "one is under way");
-                pace.drawn(now, true);
+                pace.drawn(now, 1);
                 arrives = Some(now + Duration::from_millis(380));
                 frames += 1;
             }
@@ -241,7 +243,7 @@ mod tests {
     fn what_moves_by_itself_leaves_a_slow_line_free() {
         let start = Instant::now();
         let mut pace = FrameScheduler::new(start);
-        pace.drawn(start, true);
+        pace.drawn(start, 1);
         pace.arrived(start);
         let (mut now, mut frames, mut arrives) = (start, 0, None);
         while now < start + Duration::from_secs(10) {
@@ -252,7 +254,7 @@ mod tests {
                 arrives = None;
             }
             if pace.due().is_some_and(|due| due <= now) {
-                pace.drawn(now, true);
+                pace.drawn(now, 1);
                 arrives = Some(now + Duration::from_millis(120));
                 frames += 1;
             }
@@ -262,6 +264,18 @@ mod tests {
         let rest = pace.due();
         pace.change();
         assert!(pace.due() <= rest && pace.due().is_some_and(|due| due <= now + FRAME));
+    }
+
+    /// Where the speed of the line is unknown, an animation takes 2 kB/s.
+    #[test]
+    fn without_answers_large_frames_of_an_animation_are_rare() {
+        let start = Instant::now();
+        for (bytes, rest) in [(100, REST_UNKNOWN), (3000, Duration::from_millis(1500))] {
+            let mut pace = FrameScheduler { unanswered: UNANSWERED, ..FrameScheduler::new(start) };
+            pace.drawn(start, bytes);
+            pace.animate();
+            assert_eq!(pace.due(), Some(start + rest));
+        }
     }
 
     #[test]
@@ -277,9 +291,9 @@ mod tests {
         assert!(drawn >= 200, "{drawn}");
         // A terminal that has answered before is given more time.
         let mut pace = FrameScheduler::new(start);
-        pace.drawn(start, true);
+        pace.drawn(start, 1);
         pace.arrived(start);
-        pace.drawn(start + ten, true);
+        pace.drawn(start + ten, 1);
         pace.change();
         assert_eq!(pace.due(), Some(start + ten + ARRIVAL));
     }

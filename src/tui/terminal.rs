@@ -97,14 +97,14 @@ impl Guard {
         Ok(())
     }
 
-    /// Draws a frame of this size in one write, with a request for acknowledgement if `asks`; `render` returns the cursor. Returns whether
-    /// anything changed.
+    /// Draws a frame of this size in one write, with a request for acknowledgement if `asks`; `render` returns the cursor. Returns the number
+    /// of bytes; none if nothing changed.
     pub(super) fn draw(
         &mut self,
         size: (u16, u16),
         asks: bool,
         render: impl FnOnce(&mut Buffer) -> Option<Cursor>,
-    ) -> io::Result<bool> {
+    ) -> io::Result<usize> {
         let area = area(size);
         if self.shown.area != area {
             self.shown = Buffer::empty(area);
@@ -113,7 +113,7 @@ impl Guard {
         let mut next = Buffer::empty(area);
         let cursor = render(&mut next);
         let before = self.pending.len();
-        encode::cells(&mut self.pending, self.shown.diff_iter(&next));
+        encode::cells(&mut self.pending, &self.shown, &next);
         let any = self.pending.len() > before;
         let is_shown = |cursor: Option<Cursor>| cursor.is_some_and(|(_, is_shown)| is_shown);
         if let Some(((x, y), _)) = cursor
@@ -160,10 +160,10 @@ impl Guard {
         self.commit(false).map(drop)
     }
 
-    /// Writes the collected bytes and the request; returns whether there were any.
-    fn commit(&mut self, asks: bool) -> io::Result<bool> {
+    /// Writes the collected bytes and the request; returns their number.
+    fn commit(&mut self, asks: bool) -> io::Result<usize> {
         if self.pending.is_empty() {
-            return Ok(false);
+            return Ok(0);
         }
         let mut frame = Vec::with_capacity(self.pending.len() + 16);
         queue!(frame, BeginSynchronizedUpdate)?;
@@ -172,7 +172,7 @@ impl Guard {
         if asks {
             frame.extend_from_slice(ASK);
         }
-        write_all(&frame).map(|()| true)
+        write_all(&frame).map(|()| frame.len())
     }
 }
 

@@ -3,7 +3,7 @@
 
 use std::io::Write;
 
-use ratatui::buffer::Cell;
+use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 
 /// Style of a cell, as sent to the terminal.
@@ -16,15 +16,55 @@ struct Style {
 
 const PLAIN: Style = Style { fg: Color::Reset, bg: Color::Reset, modifier: Modifier::empty() };
 
-/// Appends the cells to `out`; resets the style at the end.
-pub(super) fn cells<'a>(out: &mut Vec<u8>, content: impl Iterator<Item = (u16, u16, &'a Cell)>) {
+/// Attributes that are visible on a blank.
+const ON_BLANKS: Modifier = Modifier::UNDERLINED.union(Modifier::REVERSED);
+
+/// Maximum columns that are written again instead of moving the cursor over them, which takes three bytes or more.
+const GAP: u16 = 3;
+
+/// Returns `true` for a cell that looks the same in every style without a background.
+fn is_bare(cell: &Cell) -> bool {
+    cell.symbol() == " " && cell.bg == Color::Reset && !cell.modifier.intersects(ON_BLANKS)
+}
+
+/// Returns `true` if two cells look the same.
+fn look_alike(one: &Cell, other: &Cell) -> bool {
+    one == other || is_bare(one) && is_bare(other)
+}
+
+impl Style {
+    fn of(cell: &Cell) -> Self {
+        Self { fg: cell.fg, bg: cell.bg, modifier: cell.modifier }
+    }
+
+    /// Returns `true` if a cell written in this style looks as it should.
+    fn suits(self, cell: &Cell) -> bool {
+        let shows_blanks = self.bg == Color::Reset && !self.modifier.intersects(ON_BLANKS);
+        self == Self::of(cell) || shows_blanks && is_bare(cell)
+    }
+}
+
+/// Appends the cells that changed between two buffers of the same size to `out`; resets the style at the end.
+pub(super) fn cells(out: &mut Vec<u8>, before: &Buffer, after: &Buffer) {
     let mut style = PLAIN;
     // Cursor position after the last character.
     let mut next: Option<(u16, u16)> = None;
-    for (x, y, cell) in content {
-        go_to(out, next, (x, y));
-        let wanted = Style { fg: cell.fg, bg: cell.bg, modifier: cell.modifier };
-        if wanted != style {
+    let changed = before.diff_iter(after);
+    for (x, y, cell) in changed.filter(|(x, y, cell)| !look_alike(&before[(*x, *y)], cell)) {
+        let between =
+            next.filter(|(from, row)| *row == y && (1..=GAP).contains(&x.wrapping_sub(*from)));
+        let is_cheap = |x: u16| {
+            let cell = &after[(x, y)];
+            cell.symbol().len() == 1 && style.suits(cell)
+        };
+        match between {
+            Some((from, _)) if (from..x).all(is_cheap) => {
+                out.extend((from..x).flat_map(|x| after[(x, y)].symbol().bytes()));
+            }
+            _ => go_to(out, next, (x, y)),
+        }
+        if !style.suits(cell) {
+            let wanted = if is_bare(cell) { PLAIN } else { Style::of(cell) };
             set_style(out, style, wanted);
             style = wanted;
         }
@@ -100,7 +140,6 @@ fn put(out: &mut Vec<u8>, text: std::fmt::Arguments<'_>) {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use ratatui::buffer::Buffer;
     use ratatui::layout::Rect;
     use ratatui::style::Style as Wanted;
 
@@ -118,7 +157,7 @@ mod tests {
         let mut previous = Buffer::empty(area);
         for buffer in buffers {
             let mut bytes = Vec::new();
-            cells(&mut bytes, previous.diff(buffer).into_iter());
+            cells(&mut bytes, &previous, buffer);
             parser.process(&bytes);
             last = bytes.len();
             previous = buffer.clone();
@@ -171,12 +210,15 @@ mod tests {
                     let (seen, drawn) = (parser.screen().cell(y, x).expect("in range"), &last[(x, y)]);
                     let text = if seen.has_contents() { seen.contents() } else { " " };
                     prop_assert_eq!(text, drawn.symbol());
-                    prop_assert_eq!(seen.fgcolor(), ours(drawn.fg));
                     prop_assert_eq!(seen.bgcolor(), ours(drawn.bg));
-                    prop_assert_eq!(seen.bold(), drawn.modifier.contains(Modifier::BOLD));
-                    prop_assert_eq!(seen.dim(), drawn.modifier.contains(Modifier::DIM));
                     prop_assert_eq!(seen.underline(), drawn.modifier.contains(Modifier::UNDERLINED));
                     prop_assert_eq!(seen.inverse(), drawn.modifier.contains(Modifier::REVERSED));
+                    // A blank without these has no ink.
+                    if text != " " || seen.underline() || seen.inverse() {
+                        prop_assert_eq!(seen.fgcolor(), ours(drawn.fg));
+                        prop_assert_eq!(seen.bold(), drawn.modifier.contains(Modifier::BOLD));
+                        prop_assert_eq!(seen.dim(), drawn.modifier.contains(Modifier::DIM));
+                    }
                 }
             }
         }
@@ -195,9 +237,41 @@ mod tests {
         buffer[(0, 0)].set_style(Wanted::new().fg(Color::Indexed(1)).add_modifier(Modifier::BOLD));
         let mut bytes = Vec::new();
         let before = Buffer::empty(buffer.area);
-        cells(&mut bytes, before.diff(&buffer).into_iter());
-        // SGR by ECMA-48: 1 bold, 31 red, none plain; CUF moves right; CUP without a column is column 1.
-        assert_eq!(bytes, b"\x1b[1H\x1b[1;31mx\x1b[my\x1b[Cz");
+        cells(&mut bytes, &before, &buffer);
+        // SGR by ECMA-48: 1 bold, 31 red, none plain; CUP without a column is column 1.
+        assert_eq!(bytes, b"\x1b[1H\x1b[1;31mx\x1b[my z");
+    }
+
+    /// CUF moves right; a short gap is written again if its characters are in the present style.
+    #[test]
+    fn few_unchanged_characters_are_written_again_instead_of_passed_over() {
+        let bytes = |before: &str, after: &str| {
+            let (before, after) = (Buffer::with_lines([before]), Buffer::with_lines([after]));
+            let mut bytes = Vec::new();
+            cells(&mut bytes, &before, &after);
+            String::from_utf8(bytes).expect("ASCII")
+        };
+        assert_eq!(bytes("a b c d", "x b y d"), "\x1b[1Hx b y");
+        assert_eq!(bytes("a12345b", "x12345y"), "\x1b[1Hx\x1b[5Cy");
+        assert_eq!(bytes("a\u{28ff}b", "x\u{28ff}y"), "\x1b[1Hx\x1b[Cy");
+    }
+
+    /// The ink of a blank is invisible.
+    #[test]
+    fn a_blank_takes_the_style_before_it() {
+        let mut buffer = Buffer::with_lines(["x y"]);
+        let red = Wanted::new().fg(Color::Indexed(1));
+        for column in [0, 2] {
+            buffer[(column, 0)].set_style(red);
+        }
+        let mut bytes = Vec::new();
+        cells(&mut bytes, &Buffer::with_lines(["aaa"]), &buffer);
+        assert_eq!(bytes, b"\x1b[1H\x1b[31mx y\x1b[m");
+        let mut dim = buffer.clone();
+        dim[(1, 0)].set_style(Wanted::new().add_modifier(Modifier::DIM));
+        bytes.clear();
+        cells(&mut bytes, &buffer, &dim);
+        assert!(bytes.is_empty());
     }
 
     #[test]

@@ -115,16 +115,28 @@ fn stack(app: &App, area: Rect, charts: &[usize]) -> Option<Vec<Place>> {
         return None;
     }
     let (each, mut over) = (rows.checked_div(drawn).unwrap_or(0), rows.checked_rem(drawn)?);
+    let kept = kept_heights(charts, &absent, area.height)
+        .filter(|heights| (0..3).all(|at| heights[at] > LEAST + u16::from(has_line(&at))));
     let mut y = area.y;
     let place = |(at, why): (usize, Option<String>)| {
         let own = if why.is_some() { 0 } else { each + u16::from(over > 0) };
         over = over.saturating_sub(u16::from(own > 0));
         let height = 1 + own + u16::from(has_line(&at));
+        let height = kept.map_or(height, |heights| heights[at]);
         let area = Rect { y, height, ..area };
         y += height;
         Place { chart: charts[at], area, begins: at == 0, below: below(at), absent: why }
     };
     Some(absent.clone().into_iter().enumerate().map(place).collect())
+}
+
+/// Returns the heights of three charts with data as for their initial time ranges, where the first two share an axis. Another range of one
+/// chart then leaves the others in their places, which saves most of the bytes of a frame.
+fn kept_heights(charts: &[usize], absent: &[Option<String>], height: u16) -> Option<[u16; 3]> {
+    let has_data = charts.len() == 3 && absent.iter().all(Option::is_none);
+    let rows = height.checked_sub(5).filter(|_| has_data)?;
+    let plot = |at: u16| rows / 3 + u16::from(rows % 3 > at);
+    Some([1 + plot(0), 2 + plot(1), 2 + plot(2)])
 }
 
 /// Explains why a chart has no data in any run.
