@@ -92,6 +92,12 @@ fn value_at(points: &[(f64, f64)], after: usize, t_s: f64) -> Option<f64> {
     Some(low + fraction * (high - low)).filter(|value| value.is_finite())
 }
 
+/// Returns time and value of the difference of greatest magnitude between the values of a trace and a run.
+fn greatest(pairs: impl Iterator<Item = (f64, f64, f64)>) -> Option<(f64, f64)> {
+    let differences = pairs.map(|it| (it.0, it.2 - it.1));
+    differences.reduce(|a, b| if b.1.abs() > a.1.abs() { b } else { a })
+}
+
 fn figures(points: &[(f64, f64)]) -> Option<Figures> {
     let peak = points.iter().copied().reduce(|a, b| if b.1.abs() > a.1.abs() { b } else { a })?;
     Some(Figures { peak: peak.1, peak_time_s: peak.0, end: points.last()?.1 })
@@ -101,13 +107,7 @@ impl Trace {
     /// The trace compared with a run; `None` without a common time.
     pub fn difference(&self, run: &Run) -> Option<Difference> {
         let computed = self.channel.points(run, &run.series);
-        // Both are in order of time: one pass, for traces may have a hundred thousand rows.
-        let mut after = 0;
-        let pair = |(t_s, value): &(f64, f64)| {
-            after += computed[after..].iter().take_while(|point| point.0 <= *t_s).count();
-            Some((*t_s, *value, value_at(&computed, after, *t_s)?))
-        };
-        let pairs: Vec<(f64, f64, f64)> = self.points.iter().filter_map(pair).collect();
+        let pairs: Vec<(f64, f64, f64)> = self.pairs(&computed).collect();
         let (first_s, last_s) = (pairs.first()?.0, pairs.last()?.0);
         let measured: Vec<(f64, f64)> = pairs.iter().map(|it| (it.0, it.1)).collect();
         // The run's own peak may lie between two rows of the trace.
@@ -117,8 +117,7 @@ impl Trace {
         let inner = computed.iter().filter(is_common).copied();
         let end = own.last()?.1;
         own.extend(inner);
-        let greatest = pairs.iter().map(|it| (it.0, it.2 - it.1));
-        let greatest = greatest.reduce(|a, b| if b.1.abs() > a.1.abs() { b } else { a })?;
+        let greatest = greatest(pairs.iter().copied())?;
         let square = |it: &(f64, f64, f64)| (it.2 - it.1).powi(2);
         let area = |two: &[(f64, f64, f64)]| {
             0.5 * (two[1].0 - two[0].0) * (square(&two[0]) + square(&two[1]))
@@ -138,6 +137,23 @@ impl Trace {
             greatest: greatest.1,
             greatest_time_s: greatest.0,
         })
+    }
+
+    /// Times of the trace within those of a run, with the values of both. Both are in order of time, so one pass suffices: a trace may have
+    /// a hundred thousand rows.
+    fn pairs(&self, computed: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64, f64)> {
+        let last_s = computed.last().map_or(f64::NEG_INFINITY, |point| point.0);
+        let mut after = 0;
+        self.until(last_s).iter().filter_map(move |(t_s, value)| {
+            after += computed[after..].iter().take_while(|point| point.0 <= *t_s).count();
+            Some((*t_s, *value, value_at(computed, after, *t_s)?))
+        })
+    }
+
+    /// Returns the difference of greatest magnitude from a run; `None` without a common time.
+    fn greatest(&self, run: &Run) -> Option<f64> {
+        let computed = self.channel.points(run, &run.series);
+        greatest(self.pairs(&computed)).map(|it| it.1)
     }
 
     /// The points up to a time.
@@ -179,8 +195,8 @@ impl Traces {
 
     /// The greatest difference of a run from the traces of a quantity; `None` without one.
     pub fn greatest(&self, channel: Channel, run: &Run) -> Option<f64> {
-        let differences = self.of_channel(channel).filter_map(|trace| trace.difference(run));
-        differences.map(|it| it.greatest).reduce(|a, b| if b.abs() > a.abs() { b } else { a })
+        let differences = self.of_channel(channel).filter_map(|trace| trace.greatest(run));
+        differences.reduce(|a, b| if b.abs() > a.abs() { b } else { a })
     }
 
     /// The last time of all traces, s.
