@@ -81,6 +81,8 @@ pub(super) struct EventLoop {
     worker: Worker,
     io_thread: IoThread,
     pace: FrameScheduler,
+    /// Mouse targets of the last frame, which is what a person clicks on.
+    targets: view::Targets,
     timers: Vec<(Instant, Message)>,
     /// Events that arrived while the process was stopped.
     put_off: VecDeque<LoopEvent>,
@@ -115,6 +117,7 @@ impl EventLoop {
             worker,
             io_thread,
             pace: FrameScheduler::new(Instant::now()),
+            targets: view::Targets::default(),
             timers: Vec::new(),
             put_off: VecDeque::from([LoopEvent::Message(size()?)]),
             _left: left,
@@ -176,8 +179,11 @@ impl EventLoop {
         }
         if self.pace.due().is_some_and(|due| due <= now) {
             let (app, asks) = (&self.app, self.pace.requests_ack());
-            let changed = self.guard.draw(app.size, asks, |buffer| view::view(app, buffer))?;
-            self.pace.drawn(Instant::now(), changed);
+            // Targets are as many as cells: without a mouse nothing asks for them.
+            let targets = app.settings.mouse.then_some(&mut self.targets);
+            let bytes =
+                self.guard.draw(app.size, asks, |buffer| view::view(app, buffer, targets))?;
+            self.pace.drawn(Instant::now(), bytes);
         }
         Ok(())
     }
@@ -226,7 +232,7 @@ impl EventLoop {
 
     /// Returns the message of a click or a turn of the wheel at a position of the screen.
     fn pointed(&self, mouse: MouseEvent) -> Option<Message> {
-        let target = view::target(&self.app, (mouse.column, mouse.row));
+        let target = self.targets.at((mouse.column, mouse.row));
         match mouse.kind {
             MouseEventKind::ScrollUp => Some(Message::Wheel(true, target)),
             MouseEventKind::ScrollDown => Some(Message::Wheel(false, target)),

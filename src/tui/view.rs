@@ -12,15 +12,24 @@ use crate::tui::pages::page::pair;
 use crate::tui::pages::{self, PageSpec};
 use crate::tui::prelude::*;
 use crate::tui::theme::{GlyphSet, ascii_pass};
+pub use crate::tui::widgets::Targets;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::layout::SMALLEST;
 use crate::tui::widgets::text::{self, clip, columns};
 
 /// Draws the screen into a buffer of its size. Returns the position and visibility of the cursor: visible in a field; hidden on the
-/// selected row, where a screen reader follows it.
-pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
+/// selected row, where a screen reader follows it. Records the mouse targets of the cells, if wanted.
+pub fn view(
+    app: &App,
+    buffer: &mut Buffer,
+    targets: Option<&mut Targets>,
+) -> Option<((u16, u16), bool)> {
     let area = buffer.area;
-    let mut canvas = Canvas::new(buffer, app.settings.theme);
+    let theme = app.settings.theme;
+    let mut canvas = match targets {
+        Some(targets) => Canvas::recorded(buffer, theme, targets),
+        None => Canvas::new(buffer, theme),
+    };
     draw(app, area, &mut canvas);
     let field = canvas.cursor.map(|at| (at, true));
     let cursor = field.or_else(|| canvas.selected.map(|at| (at, false)));
@@ -28,15 +37,6 @@ pub fn view(app: &App, buffer: &mut Buffer) -> Option<((u16, u16), bool)> {
         ascii_pass(buffer);
     }
     cursor
-}
-
-/// Returns the target at a column and a row of the screen; `None` if a click has no effect.
-pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
-    let screen = Rect::new(0, 0, app.size.0, app.size.1);
-    let mut buffer = Buffer::empty(screen);
-    let mut canvas = Canvas::pointed(&mut buffer, app.settings.theme, at);
-    draw(app, screen, &mut canvas);
-    canvas.target()
 }
 
 fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

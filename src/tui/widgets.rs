@@ -39,21 +39,47 @@ pub(crate) struct Canvas<'a> {
     pub(crate) selected: Option<(u16, u16)>,
     /// Drawn charts and maps as SVG; `None` if they are not collected.
     pub(crate) pictures: Option<Vec<String>>,
-    pointer: Option<(u16, u16)>,
-    target: Option<Target>,
+    /// Mouse targets of the drawn cells; `None` if they are not recorded.
+    targets: Option<&'a mut Targets>,
+}
+
+/// Mouse targets of the cells of a drawn screen.
+#[derive(Debug, Default)]
+pub struct Targets {
+    width: u16,
+    cells: Vec<Option<Target>>,
+}
+
+impl Targets {
+    /// Removes all targets, for a screen of this size.
+    fn clear(&mut self, (width, height): (u16, u16)) {
+        self.width = width;
+        self.cells.clear();
+        self.cells.resize(usize::from(width) * usize::from(height), None);
+    }
+
+    fn index(&self, (column, row): (u16, u16)) -> Option<usize> {
+        (column < self.width)
+            .then(|| usize::from(row) * usize::from(self.width) + usize::from(column))
+    }
+
+    /// Returns the target at a column and a row; `None` if a click has no effect.
+    pub fn at(&self, at: (u16, u16)) -> Option<Target> {
+        *self.cells.get(self.index(at)?)?
+    }
 }
 
 impl<'a> Canvas<'a> {
     /// Creates a canvas over all cells of a buffer.
     pub(crate) fn new(buffer: &'a mut Buffer, theme: Theme) -> Self {
         let (cursor, selected, pictures) = (None, None, None);
-        let (pointer, target) = (None, None);
-        Self { buffer, theme, cursor, selected, pictures, pointer, target }
+        Self { buffer, theme, cursor, selected, pictures, targets: None }
     }
 
-    /// Builds a canvas that finds the item drawn at a cell.
-    pub(crate) fn pointed(buffer: &'a mut Buffer, theme: Theme, at: (u16, u16)) -> Self {
-        Self { pointer: Some(at), ..Self::new(buffer, theme) }
+    /// Creates a canvas that records the mouse targets of what it draws.
+    pub(crate) fn recorded(buffer: &'a mut Buffer, theme: Theme, targets: &'a mut Targets) -> Self {
+        targets.clear((buffer.area.width, buffer.area.height));
+        Self { targets: Some(targets), ..Self::new(buffer, theme) }
     }
 
     /// Draws a text into a row of an area; returns the column after it. Clips to the area.
@@ -130,15 +156,14 @@ impl<'a> Canvas<'a> {
         picture.render(area, self.buffer, self.theme)
     }
 
-    /// Returns the target under the pointer; `None` if a click has no effect.
-    pub(crate) fn target(&self) -> Option<Target> {
-        self.target
-    }
-
-    /// Sets the mouse target of an area; areas drawn later take precedence.
-    pub(crate) fn hit(&mut self, area: Rect, target: impl FnOnce((u16, u16)) -> Option<Target>) {
-        if let Some(at) = self.pointer.filter(|at| area.contains((*at).into())) {
-            self.target = target(at).or(self.target);
+    /// Sets the mouse targets of the cells of an area; areas drawn later take precedence.
+    pub(crate) fn hit(&mut self, area: Rect, target: impl Fn((u16, u16)) -> Option<Target>) {
+        let Some(targets) = &mut self.targets else { return };
+        for position in area.intersection(self.buffer.area).positions() {
+            let at = (position.x, position.y);
+            if let Some((index, target)) = targets.index(at).zip(target(at)) {
+                targets.cells[index] = Some(target);
+            }
         }
     }
 
@@ -152,7 +177,7 @@ impl<'a> Canvas<'a> {
         &mut self,
         area: Rect,
         (first, count): (usize, usize),
-        target: impl FnOnce(usize) -> Option<Target>,
+        target: impl Fn(usize) -> Option<Target>,
     ) {
         self.hit(area, |at| {
             let index = first + usize::from(at.1 - area.y);
@@ -161,11 +186,7 @@ impl<'a> Canvas<'a> {
     }
 
     /// Sets the mouse targets of the cells of a plot, by axis values.
-    pub(crate) fn plot(
-        &mut self,
-        layout: &Layout,
-        target: impl FnOnce(f64, f64) -> Option<Target>,
-    ) {
+    pub(crate) fn plot(&mut self, layout: &Layout, target: impl Fn(f64, f64) -> Option<Target>) {
         let plot = layout.plot;
         self.hit(plot, |at| {
             target(layout.x.value(at.0 - plot.x), layout.y.value(plot.bottom() - 1 - at.1))
@@ -174,7 +195,9 @@ impl<'a> Canvas<'a> {
 
     /// Removes all previous mouse targets, because a dialog covers them.
     pub(crate) fn cover(&mut self) {
-        self.target = None;
+        if let Some(targets) = &mut self.targets {
+            targets.cells.fill(None);
+        }
     }
 }
 
@@ -224,7 +247,7 @@ impl RowList {
         self,
         canvas: &mut Canvas<'_>,
         area: Rect,
-        target: impl FnOnce(usize) -> Option<Target>,
+        target: impl Fn(usize) -> Option<Target>,
         mut draw: impl FnMut(&mut Canvas<'_>, Rect, usize),
     ) {
         let first = self.first(area.height);

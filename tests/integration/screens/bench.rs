@@ -8,11 +8,12 @@ use std::time::Duration;
 
 use cmra::files::export::Destination;
 use cmra::tui::app::App;
+use cmra::tui::keymap::Target;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::preset::{PresetEntry, ReferencePreset};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
-use cmra::tui::view::view;
+use cmra::tui::view::{Targets, view};
 use cmra::worker::studies::{StudyRequest, StudyResult};
 use cmra::worker::{JobProgress, ReportBody, Task, TaskReport};
 use cmra_engine::model::mechanism::Mechanism;
@@ -207,9 +208,17 @@ impl Bench {
     pub(crate) fn screen(&self) -> String {
         let (columns, rows) = self.app.size;
         let mut buffer = Buffer::empty(Rect::new(0, 0, columns, rows));
-        view(&self.app, &mut buffer);
+        view(&self.app, &mut buffer, None);
         cmra::tui::chart::buffer_lines(&buffer).join("\n")
     }
+}
+
+/// What a click hits on the screen as it is drawn now.
+pub(crate) fn target(app: &App, at: (u16, u16)) -> Option<Target> {
+    let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    let mut targets = Targets::default();
+    view(app, &mut buffer, Some(&mut targets));
+    targets.at(at)
 }
 
 /// The keys of a text, each as it is written: `j`, `<Enter>`.

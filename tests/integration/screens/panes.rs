@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::bench::Bench;
+use super::bench::{Bench, target};
 use super::pointer::{click, find};
 use super::{stability, sweep};
 use cmra::tui::keymap::Tab;
@@ -10,7 +10,6 @@ use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
 use cmra::tui::pages::{explore, run};
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::target;
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 #[test]

@@ -1,6 +1,6 @@
 //! The mouse, on whole screens: what a click hits is what is drawn there; and pasted text.
 
-use super::bench::Bench;
+use super::bench::{Bench, target};
 use super::sweep::{answer, open_map};
 use super::{accuracy, search, stability};
 use cmra::tui::keymap::Tab;
@@ -8,7 +8,6 @@ use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
 use cmra::tui::pages::{explore, numerics, run};
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::target;
 use cmra_engine::model::variables::VARIABLES;
 use cmra_studies::study::accuracy::method::Method;
 

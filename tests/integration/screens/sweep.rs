@@ -154,7 +154,7 @@ fn a_coloured_map_has_characters_in_ascii_too() {
         bench.app.settings.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
         keys(&mut bench, "2");
         let mut buffer = Buffer::empty(Rect::new(0, 0, 80, 24));
-        view(&bench.app, &mut buffer);
+        view(&bench.app, &mut buffer, None);
         buffer
     };
     let coloured = |cell: &&ratatui::buffer::Cell| matches!(cell.bg, Color::Indexed(_));
