@@ -295,11 +295,8 @@ fn area(app: &App, body: Rect, pane: Pane) -> Option<Rect> {
         return (pane == app.pane()).then_some(body);
     }
     let (upper, runs) = split_bottom(body, 1 + runs::rows_shown(app, body));
-    let has_bars = app.pages.run.matters.output.is_some();
     let width = match body.width {
-        0..NARROW if !has_bars => 24,
-        // Beside a bar and a flag there is room for a value with its unit.
-        NARROW..WIDE if has_bars => 34,
+        0..NARROW if app.pages.run.matters.output.is_none() => 24,
         0..WIDE => 31,
         WIDE..ROOMY => 38,
         ROOMY.. => 42,

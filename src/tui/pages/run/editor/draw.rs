@@ -124,10 +124,16 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
     let width = u16::try_from(CELLS).unwrap_or(u16::MAX);
     let end = if bar.is_some() { bar_from + width } else { end };
     // Leave a blank at the right end, so that the frame is not taken for a part of the unit.
-    let room = line.width.saturating_sub(end + 2 + if warned { 2 } else { 0 });
+    let has_flag = warned && bar.is_none();
+    let room = line.width.saturating_sub(end + 2 + if has_flag { 2 } else { 0 });
     let text = value_text(app, index, usize::from(room));
     let start = line.width.saturating_sub(columns(&text) + 1).max(end + 1);
-    let flag = if warned { start.saturating_sub(2) } else { start };
+    // Left of a bar the flag leaves the room for the unit.
+    let flag = match (warned, bar.is_some()) {
+        (true, true) => bar_from - 1,
+        (true, false) => start.saturating_sub(2),
+        (false, _) => start,
+    };
     let from = LABEL.max(end + 1);
     if let Some(bar) = &bar {
         canvas.put(line, (bar_from, 0), &bar.text, role);
