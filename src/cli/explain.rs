@@ -278,11 +278,14 @@ mod tests {
         let snapshots = files_below("tests/integration", "snap");
         let sources =
             ["src/studies/report", "src/studies/study", "src/engine/model", "src/tui/pages"];
-        let sources = sources.into_iter().flat_map(|folder| files_below(folder, "rs"));
+        // The published package contains none of the other packages.
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let sources = sources.into_iter().filter(|folder| root.join(folder).is_dir());
+        let sources = sources.flat_map(|folder| files_below(folder, "rs"));
         let mut labels: BTreeSet<String> =
             snapshots.iter().flat_map(|it| labels_of_screen(it)).collect();
         labels.extend(sources.flat_map(|it| labels_of_source(&it)));
-        assert!(labels.len() > 500, "{}", labels.len());
+        assert!(labels.len() > 300, "{}", labels.len());
         let explained = explained();
         let is_known = |word: &str| explained.contains(&word.to_lowercase());
         let (mut known, mut unknown) = (BTreeSet::new(), BTreeSet::new());

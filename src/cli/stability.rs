@@ -1,4 +1,4 @@
-//! `cmra stability`: stiff and extreme test scenes, or the stability map of a method with a fixed step size.
+//! `cmra stability`: stiff and extreme test scenes, one scene over its tolerance, or the stability map of a method with a fixed step size.
 
 use std::process::ExitCode;
 use std::time::Instant;
@@ -11,16 +11,19 @@ use crate::cli::{CliError, text};
 use cmra_engine::model::library;
 use cmra_engine::model::run::Warning;
 use cmra_studies::report::stability as tables;
-use cmra_studies::report::stability::{battery_page, failures, map_page, table};
+use cmra_studies::report::stability::{
+    battery_page, failures, map_page, scene_page, scene_table, table,
+};
 use cmra_studies::study::stability;
 use cmra_studies::study::stability::map::{self, Axis, FixedStep, StabilityMapRequest};
+use cmra_studies::study::stability::scene;
 
 /// Minimum width of a page with the column `difficulty`.
 const WIDE: usize = 118;
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Without --map, runs stiff and extreme scenes of its own with the default solver (`auto`). Exit status 1 if it fails on any of them.\nSCENE and --set are for --map."
+    after_help = "Without SCENE, runs stiff and extreme scenes of its own with the default solver (`auto`). Exit status 1 if it fails on any of them.\nWith SCENE or --set, runs that scene over its tolerance: steps, rejected steps, error, stiffness."
 )]
 pub(super) struct StabilityArguments {
     /// Map where a fixed-step method is stable on SCENE, over its step and this variable
@@ -40,13 +43,10 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     if let Some(axis) = arguments.map {
         return draw_map(arguments, axis);
     }
-    arguments.study.table.check(false)?;
     if arguments.study.scene.is_given() {
-        return Err(CliError::Option(
-            "SCENE and --set belong to --map: the check of stiff scenes has its own scenes; add --map k (or n, b), or omit SCENE and --set"
-                .to_owned(),
-        ));
+        return check_scene(arguments);
     }
+    arguments.study.table.check(false)?;
     let cases = stability::battery(arguments.quick);
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
@@ -58,6 +58,17 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let object = tables::json(&rows);
     arguments.study.table.deliver(extent, None, &page, Some(object), table(&rows))?;
     Ok(extent.exit_code_after(failures(&rows)))
+}
+
+fn check_scene(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
+    let preset = arguments.study.load()?;
+    let (found, extent) = arguments.study.run("runs", |context| scene::run(&preset.scene, context));
+    let found = found?;
+    let warnings: Vec<Warning> = library::warnings(&preset.scene).collect();
+    let (page, object) = (scene_page(&found, &preset.heading), tables::scene_json(&found));
+    let source = (&preset.scene, "stability".to_owned());
+    arguments.study.deliver(extent, source, &warnings, (page, object), scene_table(&found))?;
+    Ok(extent.exit_code(true))
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {

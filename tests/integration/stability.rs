@@ -471,6 +471,24 @@ fn a_map_comes_with_every_cell() {
     assert!(!rows[0].as_str().unwrap().starts_with('@'));
 }
 
+/// A scene of its own: errors against another family of methods, the tolerance of each row, and one exit status.
+#[test]
+fn a_scene_is_run_over_its_tolerance() {
+    let (value, code) = json_of(&["thesis-baseline", "--set", "n=0.5", "--json"]);
+    assert_eq!(code, Some(0));
+    let rows = value["rows"].as_array().unwrap();
+    let number = |row: usize, key: &str| rows[row][key].as_f64().unwrap();
+    assert!(value["reference"].as_str().unwrap().contains("DOP853"), "{value}");
+    for (row, tolerance) in [1e-3, 1e-6, 1e-9, 1e-12].into_iter().enumerate() {
+        assert_eq!(number(row, "tolerance").to_bits(), f64::to_bits(tolerance));
+        assert!(number(row, "error") < 1e-6_f64.min(10.0 * tolerance).max(1e-11), "{value}");
+    }
+    assert!(number(3, "rhs_evaluations") > number(0, "rhs_evaluations"));
+    assert!(value["stiffness"].as_f64().unwrap() > 0.0);
+    let page = says("stability", &["thesis-baseline"], 0).0;
+    assert!(page.contains("by tolerance") && page.contains("stiffness"), "{page}");
+}
+
 /// Not a digit is lost between the map and who reads its table.
 #[test]
 fn a_map_is_read_back_from_its_table() {

@@ -67,6 +67,7 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
         &["slip", "q"],
         "displacement of the projectile relative to the plate: the path of the contact force",
     ),
+    (&["evaluations"], "of the equations of motion: the work of a run"),
     (&["share"], "fraction of a total, such as that of the energy at the start"),
     (
         &["energy"],

@@ -9,10 +9,12 @@ use crate::report::svg::Picture;
 use crate::report::table::Table;
 use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
+use crate::study::stability::scene::{SceneStability, ToleranceRow};
 use crate::study::stability::{ERROR_MAX, FailureReason, RESIDUAL_MAX, Row};
-use cmra_engine::model::run::Outcome;
-use cmra_engine::model::units::engineering;
+use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::units::{engineering, significant};
 use cmra_engine::model::variables::find;
+use cmra_engine::numerics::larger;
 
 /// Columns of a page that say how a scene has run.
 pub const HOW_IT_RAN: [&str; 5] = ["outcome", "energy_residual", "error", "steps", "run_time_s"];
@@ -22,21 +24,89 @@ fn brief(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
-/// The battery, one row for each scene.
-pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> {
-    let ends = |row: &Row| match row.run.outcome {
-        _ if !row.run.end.is_complete() => "CUT",
+/// Returns the outcome of a run in four characters.
+fn ends(run: &Run) -> &'static str {
+    match run.outcome {
+        _ if !run.end.is_complete() => "CUT",
         Outcome::Arrested => "arr",
         Outcome::Perforated => "perf",
         Outcome::Separated => "sep",
         Outcome::Moving => "mov",
         Outcome::Unmeasured => "open",
-    };
+    }
+}
+
+/// The runs of one scene, one row for each tolerance.
+pub fn scene_table(found: &SceneStability) -> Table<'_, &ToleranceRow> {
+    let letter = found.basis.map_or(' ', ReferenceSource::letter);
+    let small = |value: &Value| Some(brief(value.as_f64()?.abs()));
+    Table::new(&found.rows)
+        .with("tolerance", "tolerance", "", |row| row.run.scene.run.tolerance)
+        .shown(move |_, value| small(value))
+        .with("outcome", "ends", "", |row| row.run.outcome.word())
+        .shown(|row, _| Some(ends(&row.run).to_owned()))
+        .with("steps", "steps", "", |row| row.run.cost.steps)
+        .with("rejected", "rejected", "", |row| row.run.cost.rejected)
+        .with("rhs_evaluations", "evaluations", "", |row| row.run.cost.rhs_evaluations)
+        .with("energy_residual", "energy", "", |row| row.run.ledger.residual())
+        .shown(move |_, value| small(value))
+        .with("error", "error", "", |row| row.error)
+        .shown(move |_, value| Some(format!("{}{letter}", small(value)?)))
+        .with("greatest_estimate", "estimate", "", |row| {
+            row.run.error_estimates.iter().map(|it| it.1).reduce(larger)
+        })
+        .shown(move |_, value| small(value))
+}
+
+/// Returns the report of one scene.
+pub fn scene_page(found: &SceneStability, scene: &str) -> Page {
+    let mut page = Page::new(format!("{scene}: how auto runs it, by tolerance"));
+    page.space();
+    let columns = [
+        "tolerance",
+        "outcome",
+        "steps",
+        "rejected",
+        "rhs_evaluations",
+        "energy_residual",
+        "error",
+        "greatest_estimate",
+    ];
+    page.table(scene_table(found).cells(&columns));
+    page.space();
+    let stiffness = found.stiffness.map_or_else(
+        || "unknown: the plate is fixed, or the projectile is not stopped".to_owned(),
+        |ratio| {
+            format!(
+                "{}: contact time over the shortest time scale of the mount",
+                significant(ratio, 2)
+            )
+        },
+    );
+    page.fact("stiffness", 12, stiffness);
+    for (label, text) in LEGEND {
+        page.fact(label, 12, text);
+    }
+    page.fact("estimate", 12, "the greatest of the errors that the run states for its results");
+    page
+}
+
+/// The runs of one scene, with the source of their errors.
+pub fn scene_json(found: &SceneStability) -> Value {
+    json!({
+        "stiffness": found.stiffness,
+        "reference": found.basis.map(ReferenceSource::label),
+        "rows": scene_table(found).objects(|_| true),
+    })
+}
+
+/// The battery, one row for each scene.
+pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> {
     Table::new(rows)
         .with("scene", "scene", "", |row| row.case.name)
         .field("changes", |row| row.case.changes)
         .with("outcome", "ends", "", |row| row.run.outcome.word())
-        .shown(move |row, _| Some(ends(row).to_owned()))
+        .shown(|row, _| Some(ends(&row.run).to_owned()))
         .field("end", |row| row.run.end.words())
         .with("energy_residual", "energy", "", |row| row.run.ledger.residual())
         .shown(|_, value| Some(brief(value.as_f64()?.abs())))

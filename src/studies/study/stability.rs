@@ -1,4 +1,5 @@
-//! Numerical stability: test scenes (stiff or extreme), and the stability map of a method with a fixed step size.
+//! Numerical stability: test scenes (stiff or extreme), one scene over the tolerance, and the stability map of a method with a fixed step
+//! size.
 //!
 //! The constants below are the requirements on `auto`. This module depends on neither files nor threads nor screens; the clock is passed by
 //! the caller.
@@ -13,6 +14,7 @@ use cmra_engine::model::variables::VariableError;
 
 pub mod cases;
 pub mod map;
+pub mod scene;
 
 /// Largest allowed energy residual of `auto`, relative to the energy at the start.
 pub const RESIDUAL_MAX: f64 = 1e-8;
