@@ -1,5 +1,6 @@
 //! Start-up: creates the initial state from the command line and the last session, and converts the state to a session.
 
+use crate::tui::pages::run::runs::name_of;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -288,7 +289,7 @@ fn restore(app: &mut App, last: Session, glyphs: Option<GlyphSet>) {
 
 fn pins_of(app: &App, pins: Vec<(String, Scene)>) -> Vec<Pin> {
     let pin = |(letter, (_, scene)): (char, (String, Scene))| {
-        Pin::new(letter, app.name_of(&scene), Arc::new(scene))
+        Pin::new(letter, name_of(app, &scene), Arc::new(scene))
     };
     LETTERS.into_iter().zip(pins).map(pin).collect()
 }

@@ -2,6 +2,8 @@
 
 pub(crate) mod act;
 
+use crate::tui::pages::explore::cursor::chart_kind;
+use crate::tui::pages::run::impact::stop_playing;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -31,7 +33,7 @@ pub fn start(app: &mut App) -> Vec<Effect> {
 
 /// Updates the state with a message; returns the effects to perform.
 pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
-    let picture = app.picture();
+    let picture = chart_kind(app);
     let is_by_person = matches!(
         message,
         Message::Key(_) | Message::Paste(_) | Message::Click(_) | Message::Wheel(..)
@@ -41,7 +43,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     if is_edited {
         jobs::after_edit(app);
     }
-    if is_edited || app.picture() != picture {
+    if is_edited || chart_kind(app) != picture {
         pages::page(app.tab).edited(app);
     }
     run::follow_traces(app);
@@ -99,7 +101,7 @@ fn press(app: &mut App, key: KeyEvent) {
     app.notice = None;
     let action = app.keymap.action(key);
     // Every key ends the animation; `Back` and `Play` have no other effect then.
-    if app.stop_playing() && matches!(action, Some(Action::Back | Action::Play)) {
+    if stop_playing(app) && matches!(action, Some(Action::Back | Action::Play)) {
         return;
     }
     if everywhere(app, action) {
@@ -380,7 +382,7 @@ pub(crate) fn done(app: &mut App, report: EffectReport) {
         EffectReport::Loaded(Ok((name, scene))) => {
             app.note_recent(Path::new(&name));
             let base = ReferencePreset { name, is_mine: false, scene: Arc::new(*scene) };
-            let picture = app.picture();
+            let picture = chart_kind(app);
             edit::load(app, base, picture);
         }
         EffectReport::Loaded(Err(text)) => app.refuse(text),

@@ -1,5 +1,6 @@
 //! Preset picker: names at the left; description and changes at the right.
 
+use crate::tui::pages::run::runs::name_of;
 use std::path::Path;
 
 use crate::files::session::Session;
@@ -138,7 +139,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some(session) = &entry.session {
         lines.push(("a session that was left unsaved: it opens whole".to_owned(), Role::Dim));
         let (_, Session { pins, .. }) = &**session;
-        let names = pins.iter().map(|(letter, scene)| format!("{letter}: {}", app.name_of(scene)));
+        let names = pins.iter().map(|(letter, scene)| format!("{letter}: {}", name_of(app, scene)));
         lines.extend(names.map(|name| (clip(&name, usize::from(width)), Role::Text)));
     } else if entry.part.is_none() {
         let tab = if thesis::axes(&entry.scene) > 0 { Tab::Explore } else { Tab::Run };

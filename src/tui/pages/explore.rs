@@ -1,6 +1,6 @@
 //! Explore tab: curves or a map of a quantity over one or two variables.
 
-pub(crate) mod cursor;
+pub mod cursor;
 pub(crate) mod curves;
 mod held;
 pub mod plan;
@@ -11,10 +11,16 @@ use crate::files::export;
 use crate::tui::app::notice::outside;
 use crate::tui::app::show_duration;
 use crate::tui::pages::explore::cursor::no_sweep;
+use crate::tui::pages::explore::cursor::{
+    chart_kind, cursor_point, shown_output, sweep_design, sweep_is_old, sweep_readout,
+};
 use crate::tui::pages::explore::plan::at_rest;
+use crate::tui::pages::explore::plan::{printed_plan, sweep_plan};
+use crate::tui::pages::explore::setup::{setup_choices, setup_form, setup_row};
 use crate::tui::pages::explore::state::sweep_of;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
+use crate::tui::pages::run::runs::name_of;
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::form::Form;
 use crate::tui::widgets::value_steps::Input;
@@ -56,10 +62,10 @@ impl Page for ExploreTab {
     }
 
     fn enter(&self, app: &mut App) {
-        let plan = app.sweep_plan();
+        let plan = sweep_plan(app);
         let wanted = plan.as_ref().ok();
         let coming = app.jobs.study::<PictureSweep>().map(|(_, sweep)| sweep);
-        if coming.is_some_and(|it| it.picture == app.picture() && Some(&*it.plan) == wanted) {
+        if coming.is_some_and(|it| it.picture == chart_kind(app) && Some(&*it.plan) == wanted) {
             return;
         }
         // A study stopped by the user restarts on request only.
@@ -79,13 +85,13 @@ impl Page for ExploreTab {
     fn act(&self, app: &mut App, action: Action) -> bool {
         match action {
             Action::Run => compute(app, Some(action)),
-            Action::Mark => runs::pin_design(app, app.sweep_design()),
+            Action::Mark => runs::pin_design(app, sweep_design(app)),
             _ if app.pane() == SETUP => return false,
             Action::View => {
                 let count = sweep_of(&app.scene).outputs.len();
                 app.pages.explore.output = cycled(app.pages.explore.output, 1, count);
             }
-            Action::Enter => edit::load_design(app, app.sweep_design()),
+            Action::Enter => edit::load_design(app, sweep_design(app)),
             _ => match cursor_moved(action) {
                 Some(by) => move_cursor(app, by),
                 None => return false,
@@ -95,7 +101,7 @@ impl Page for ExploreTab {
     }
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
-        note(app.sweep_readout(room))
+        note(sweep_readout(app, room))
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
@@ -105,7 +111,7 @@ impl Page for ExploreTab {
             (Some(computing), _) => {
                 under_way(&format!("sweeping{}", computing.counted("of", " points")))
             }
-            _ if app.sweep_is_old() => part(Severity::Warning, old("scene")),
+            _ if sweep_is_old(app) => part(Severity::Warning, old("scene")),
             (None, None) => part(Severity::Note, NO_RESULTS),
             (None, Some(grid)) => {
                 let total = grid.progress().1;
@@ -128,7 +134,7 @@ impl Page for ExploreTab {
                 let severity = if word == "separated" { Severity::Note } else { Severity::Warning };
                 parts.push(part(severity, format!("{count} {word}")));
             }
-            let output = app.shown_output(grid).0;
+            let output = shown_output(app, grid).0;
             parts.extend(at_rest(grid, output).map(|text| part(Severity::Note, text)));
         }
         let ends = found.map(|grid| grid.outside_at_ends.iter().map(|it| it.0));
@@ -143,8 +149,9 @@ impl Page for ExploreTab {
             app.pages.explore.printed = printed.map(|answer| answer.report);
             // Show the note until the cursor is moved; then the legend names the curves.
             let found = app.pages.explore.found().filter(|_| app.pages.explore.cursor.is_none());
-            let differs =
-                |grid: &Arc<Grid>| !curves::printed(app, grid, app.shown_output(grid).0).is_empty();
+            let differs = |grid: &Arc<Grid>| {
+                !curves::printed(app, grid, shown_output(app, grid).0).is_empty()
+            };
             if found.is_some_and(differs) {
                 app.report_progress(
                     "faint: the thesis's own scheme, as printed; the others: corrected",
@@ -186,25 +193,25 @@ impl Page for ExploreTab {
         let is_part = !reach.is_complete();
         let missing = is_part.then(|| format!("not complete: {done} of {total} points"));
         let notes = export::sweep_notes(plan, missing.as_deref());
-        let (name, grid) = (app.name_of(&scene), Arc::clone(grid));
+        let (name, grid) = (name_of(app, &scene), Arc::clone(grid));
         let csv = move |reach| sweep::grid_csv(&name, &grid, reach);
         let table = PageTable::new("Export the sweep to CSV", file, reach, csv);
         Some(table.for_scene(app, &scene, "sweep").noted(notes))
     }
 
     fn form(&self, app: &App) -> Option<Form> {
-        (app.pane() == SETUP).then(|| app.setup_form())
+        (app.pane() == SETUP).then(|| setup_form(app))
     }
 
     fn select(&self, app: &mut App, row: usize) {
         match app.pane() {
-            SETUP => app.pages.explore.row = app.setup_choices()[row],
+            SETUP => app.pages.explore.row = setup_choices(app)[row],
             _ => app.pages.explore.output = row,
         }
     }
 
     fn change(&self, app: &mut App, input: Input<'_>) -> Result<(), String> {
-        setup::change(app, app.setup_row(), input)
+        setup::change(app, setup_row(app), input)
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
@@ -241,7 +248,7 @@ fn stop(app: &mut App) {
 
 /// Computes the sweep, on request or within the time limit of a page that is shown.
 fn compute(app: &mut App, by: Option<Action>) {
-    match app.sweep_plan() {
+    match sweep_plan(app) {
         Err(error) => {
             stop(app);
             app.pages.explore.problem =
@@ -250,9 +257,9 @@ fn compute(app: &mut App, by: Option<Action>) {
         }
         Ok(plan) => {
             app.pages.explore.problem = None;
-            let sweep = PictureSweep { picture: app.picture(), plan: Arc::new(plan) };
+            let sweep = PictureSweep { picture: chart_kind(app), plan: Arc::new(plan) };
             app.pages.explore.printed = None;
-            let printed = app.printed_plan().map(|plan| PrintedSweep(Arc::new(plan)));
+            let printed = printed_plan(app).map(|plan| PrintedSweep(Arc::new(plan)));
             if let Some(action) = by {
                 jobs::study(app, action, sweep);
                 // If a confirmation keeps a long sweep, keep its other curves, too.
@@ -275,7 +282,7 @@ fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
     let Some(grid) = app.pages.explore.found().cloned() else {
         return app.report_progress(no_sweep(app));
     };
-    let at = app.cursor_point(&grid);
+    let at = cursor_point(app, &grid);
     // Right and up lead to larger values, also on a descending axis.
     let upward = |by: isize, axis: Option<&Axis>| {
         if axis.is_some_and(|axis| axis.ends().0 > axis.ends().1) { -by } else { by }

@@ -1,10 +1,14 @@
 //! Limit tab: whether the shot is stopped, whether and where moving armour pays, and the residual velocity.
 
 pub mod comparison;
-mod map;
+pub mod map;
 pub mod residual;
 pub mod state;
 
+use crate::tui::pages::limit::comparison::{candidate_lines, own_comparison};
+use crate::tui::pages::limit::map::{design, efficiency_map};
+use crate::tui::pages::limit::residual::{lacks_limit, limit_readout, limit_scene, limit_words};
+use crate::tui::pages::run::runs::name_of;
 use std::time::Duration;
 
 use crate::tui::app::notice::outside;
@@ -79,7 +83,7 @@ fn missing_comparison(app: &App) -> Option<Arc<Scene>> {
         app.jobs.running::<MassComparison>().is_some_and(|running| *running.scene == *scene)
     };
     let missing = if is_known(&tab.own, &app.scene) {
-        let design = tab.cursor.and_then(|_| app.design().ok())?.scene;
+        let design = tab.cursor.and_then(|_| design(app).ok())?.scene;
         (!is_known(&tab.design, &design)).then(|| Arc::new(design))
     } else {
         Some(Arc::clone(&app.scene))
@@ -89,7 +93,7 @@ fn missing_comparison(app: &App) -> Option<Arc<Scene>> {
 
 fn is_map_missing(app: &App) -> bool {
     let kept = &app.pages.limit.map;
-    let is_there = app.efficiency_map().is_some() && kept.has_been_looked_at();
+    let is_there = efficiency_map(app).is_some() && kept.has_been_looked_at();
     let running = app.jobs.running::<EfficiencyMapStudy>();
     let is_coming = running.is_some_and(|running| *running.scene == *app.scene);
     map::has_map(&app.scene) && !is_there && !is_coming
@@ -98,7 +102,7 @@ fn is_map_missing(app: &App) -> bool {
 /// Computes the missing results of the shown pane within the time limit.
 fn look(app: &mut App) {
     if app.pane() == RESIDUAL {
-        if app.lacks_limit() {
+        if lacks_limit(app) {
             jobs::look(app, jobs::LOOK, LimitSearch);
         }
         return;
@@ -121,8 +125,8 @@ fn compute(app: &mut App, action: Action) {
         let v50 = V50Study(monte_carlo::Request::v50());
         vec![(Arc::clone(&own), LimitSearch.into()), (own, v50.into())]
     } else {
-        let is_there = app.pages.limit.own.is_complete() && app.own_comparison().is_some();
-        let design = app.design().ok().filter(|_| is_there && app.pages.limit.cursor.is_some());
+        let is_there = app.pages.limit.own.is_complete() && own_comparison(app).is_some();
+        let design = design(app).ok().filter(|_| is_there && app.pages.limit.cursor.is_some());
         let compared = design.map_or_else(|| Arc::clone(&own), |design| Arc::new(design.scene));
         let map = map::has_map(&own).then(|| (own, EfficiencyMapStudy.into()));
         std::iter::once((compared, MassComparison.into())).chain(map).collect()
@@ -140,7 +144,7 @@ impl Page for LimitTab {
     }
 
     fn enter(&self, app: &mut App) {
-        if app.efficiency_map().is_none() {
+        if efficiency_map(app).is_none() {
             app.pages.limit.cursor = None;
         }
         look(app);
@@ -172,8 +176,8 @@ impl Page for LimitTab {
                 app.focus_on(RESIDUAL);
                 look(app);
             }
-            (_, A::Enter) => edit::load_design(app, app.design()),
-            (_, A::Mark) => runs::pin_design(app, app.design()),
+            (_, A::Enter) => edit::load_design(app, design(app)),
+            (_, A::Mark) => runs::pin_design(app, design(app)),
             (EFFICIENCY_MAP, _) => match cursor_moved(action) {
                 Some(by) => map::move_cursor(app, by),
                 None => return false,
@@ -186,14 +190,14 @@ impl Page for LimitTab {
     fn is_of_use(&self, app: &App, action: Action) -> bool {
         let tab = &app.pages.limit;
         match (app.pane(), action) {
-            (EFFICIENCY_MAP, A::Run) => !tab.map.is_complete() || app.efficiency_map().is_none(),
-            (EFFICIENCY_MAP, _) => action == A::View || app.efficiency_map().is_some(),
+            (EFFICIENCY_MAP, A::Run) => !tab.map.is_complete() || efficiency_map(app).is_none(),
+            (EFFICIENCY_MAP, _) => action == A::View || efficiency_map(app).is_some(),
             _ => true,
         }
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
-        if app.pane() == RESIDUAL { app.limit_readout() } else { note(map::readout(app)) }
+        if app.pane() == RESIDUAL { limit_readout(app) } else { note(map::readout(app)) }
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
@@ -205,7 +209,7 @@ impl Page for LimitTab {
                 comparing.map(|it| under_way(&format!("comparing{}", it.counted("of", ""))));
             let mapping = match app.jobs.running::<EfficiencyMapStudy>() {
                 Some(it) => Some(under_way(&format!("mapping{}", it.counted("of", " points")))),
-                None if app.efficiency_map().is_some() && !tab.map.is_complete() => {
+                None if efficiency_map(app).is_some() && !tab.map.is_complete() => {
                     Some(cut(&tab.map, "points"))
                 }
                 None => None,
@@ -218,7 +222,7 @@ impl Page for LimitTab {
             let first = mapping.or(comparing).or_else(stopped).unwrap_or_else(done);
             return std::iter::once(first).chain(app.validity_part()).collect();
         }
-        let scene = app.limit_scene(&tab.report.scene);
+        let scene = limit_scene(app, &tab.report.scene);
         let shots = |it: &Running| format!("finding the limit{}", it.counted("of about", " shots"));
         let finding = progress::<LimitSearch, _>(app, &tab.report, &scene, shots, "shots");
         let mut parts = vec![finding.unwrap_or_else(done)];
@@ -247,7 +251,7 @@ impl Page for LimitTab {
         tab.spread.keep(running, news);
         tab.map.keep(running, news);
         if is_own { &mut tab.own } else { &mut tab.design }.keep(running, news);
-        if app.efficiency_map().is_none() {
+        if efficiency_map(app).is_none() {
             app.pages.limit.cursor = None;
         }
         let tab = &mut app.pages.limit;
@@ -268,7 +272,7 @@ impl Page for LimitTab {
         if app.pane() == RESIDUAL {
             let kept = &tab.report;
             let report = kept.result.clone().filter(|report| !report.shots.is_empty())?;
-            let name = app.name_of(&kept.scene);
+            let name = name_of(app, &kept.scene);
             let csv = move |reach| {
                 let warnings = limit::warnings(&report);
                 limit::shots(&name, &report).with_warnings(&warnings).with_reach(reach).csv()
@@ -280,7 +284,7 @@ impl Page for LimitTab {
         let mut request = compare::Request::default();
         if app.pane() == CANDIDATES {
             let kept = if tab.cursor.is_some() { &tab.design } else { &tab.own };
-            let (found, name) = (kept.result.clone()?, app.name_of(&kept.scene));
+            let (found, name) = (kept.result.clone()?, name_of(app, &kept.scene));
             let csv = move |reach| {
                 let warnings = validity::of_scene(&found.scene);
                 let table = report::compare::table(&name, &found);
@@ -291,7 +295,7 @@ impl Page for LimitTab {
             return Some(table.for_scene(app, &kept.scene, request.to_string()));
         }
         let kept = &tab.map;
-        let (map, name) = (kept.result.clone()?, app.name_of(&kept.scene));
+        let (map, name) = (kept.result.clone()?, name_of(app, &kept.scene));
         request.map = Some([map.x().clone(), map.y().clone()]);
         let csv = move |reach| report::compare::map_table(&name, &map).with_reach(reach).csv();
         let table = PageTable::new("Export the map to CSV", "mass-efficiency.csv", kept.reach, csv);
@@ -301,12 +305,12 @@ impl Page for LimitTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         match app.pane() {
             RESIDUAL => {
-                let (count, shown) = app.limit_words()?;
+                let (count, shown) = limit_words(app)?;
                 Some(Rows { count: count + 1, selected: app.pages.limit.word, shown })
             }
             CANDIDATES => {
                 let area = area(app, app.layout().body?, CANDIDATES)?;
-                let lines = app.candidate_lines(usize::from(area.width.saturating_sub(2)));
+                let lines = candidate_lines(app, usize::from(area.width.saturating_sub(2)));
                 let shown = usize::from(area.height.saturating_sub(2));
                 let count = lines.len().saturating_sub(shown) + 1;
                 Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
@@ -359,7 +363,7 @@ impl Page for LimitTab {
 fn verdict(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let room = usize::from(body.width.saturating_sub(2));
     let Some((report, own)) =
-        app.own_comparison().and_then(|it| Some((it, it.entry(Candidate::Scene)?)))
+        own_comparison(app).and_then(|it| Some((it, it.entry(Candidate::Scene)?)))
     else {
         let words = match app.jobs.running::<MassComparison>() {
             Some(_) => "finding the limit of this scene",
@@ -373,7 +377,7 @@ fn verdict(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     };
     let first = fitting(headlines(&report.scene, own.perforation, ""), room);
     let (answer, why) = short_verdict(report);
-    let place = app.efficiency_map().and_then(|map| where_it_pays(map, &app.scene));
+    let place = efficiency_map(app).and_then(|map| where_it_pays(map, &app.scene));
     let place = place.map_or_else(String::new, |place| format!("; {place}"));
     let second =
         [format!("{answer}{why}{place}"), format!("{answer}{place}"), format!("{answer}{why}")];

@@ -42,7 +42,7 @@ impl Page for LogTab {
 
     fn rows(&self, app: &App) -> Option<Rows> {
         let shown = app.list_rows();
-        let count = app.log_lines(usize::from(app.size.0)).len().saturating_sub(shown) + 1;
+        let count = log_lines(app, usize::from(app.size.0)).len().saturating_sub(shown) + 1;
         Some(Rows { count, selected: app.pages.log.scroll, shown })
     }
 
@@ -55,7 +55,7 @@ impl Page for LogTab {
     }
 
     fn draw(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-        let lines = app.log_lines(usize::from(area.width));
+        let lines = log_lines(app, usize::from(area.width));
         let height = usize::from(area.height.saturating_sub(2));
         let first = app.pages.log.scroll.min(lines.len().saturating_sub(height));
         let counter = counted(first, height, lines.len());
@@ -72,40 +72,37 @@ impl Page for LogTab {
 /// Number of messages above the report of the run.
 const NEWEST: usize = 5;
 
-impl App {
-    /// Returns all lines of the Log tab, wrapped for a screen of this width.
-    pub fn log_lines(&self, columns: usize) -> Vec<TextLine> {
-        let message = |notice: &Notice| {
-            let word = notice.severity.word();
-            (format!("{word:<8} {}", notice.text), notice.severity.role())
-        };
-        let mut messages: Vec<TextLine> =
-            self.pages.log.messages.iter().rev().map(message).collect();
-        let older = messages.split_off(NEWEST.min(messages.len()));
-        let mut lines = Vec::new();
-        section(&mut lines, "Messages of this session, newest first", messages);
-        match &self.shown {
-            Some(shown) => of_run(&mut lines, shown, self.is_stale()),
-            None => section(&mut lines, "Run", [("no run yet".to_owned(), Role::Dim)]),
-        }
-        let explore = self.pages.explore.found();
-        let explore = explore.map_or(&[][..], |grid| &grid.outside_at_ends);
-        let search = self.pages.search.answer();
-        let search = search.map_or(&[][..], |answer| answer.outside_at_ends());
-        for (heading, ends) in [("Explore", explore), ("Search", search)] {
-            if !ends.is_empty() {
-                let ends = ends.iter().map(|end| (format!("! {}", end.1), Role::Warning));
-                section(&mut lines, &format!("Warnings at the ends of an axis: {heading}"), ends);
-            }
-        }
-        if !older.is_empty() {
-            section(&mut lines, "Older messages", older);
-        }
-        let wanted = self.pages.log.find.trim().to_lowercase();
-        lines.retain(|line| line.0.to_lowercase().contains(&wanted));
-        // Two borders, and three columns of indentation with one blank.
-        broken(lines, columns.saturating_sub(6).max(10))
+/// Returns all lines of the Log tab, wrapped for a screen of this width.
+pub fn log_lines(app: &App, columns: usize) -> Vec<TextLine> {
+    let message = |notice: &Notice| {
+        let word = notice.severity.word();
+        (format!("{word:<8} {}", notice.text), notice.severity.role())
+    };
+    let mut messages: Vec<TextLine> = app.pages.log.messages.iter().rev().map(message).collect();
+    let older = messages.split_off(NEWEST.min(messages.len()));
+    let mut lines = Vec::new();
+    section(&mut lines, "Messages of this session, newest first", messages);
+    match &app.shown {
+        Some(shown) => of_run(&mut lines, shown, app.is_stale()),
+        None => section(&mut lines, "Run", [("no run yet".to_owned(), Role::Dim)]),
     }
+    let explore = app.pages.explore.found();
+    let explore = explore.map_or(&[][..], |grid| &grid.outside_at_ends);
+    let search = app.pages.search.answer();
+    let search = search.map_or(&[][..], |answer| answer.outside_at_ends());
+    for (heading, ends) in [("Explore", explore), ("Search", search)] {
+        if !ends.is_empty() {
+            let ends = ends.iter().map(|end| (format!("! {}", end.1), Role::Warning));
+            section(&mut lines, &format!("Warnings at the ends of an axis: {heading}"), ends);
+        }
+    }
+    if !older.is_empty() {
+        section(&mut lines, "Older messages", older);
+    }
+    let wanted = app.pages.log.find.trim().to_lowercase();
+    lines.retain(|line| line.0.to_lowercase().contains(&wanted));
+    // Two borders, and three columns of indentation with one blank.
+    broken(lines, columns.saturating_sub(6).max(10))
 }
 
 /// Appends a heading and the lines below it, after a blank line.

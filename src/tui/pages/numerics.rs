@@ -4,7 +4,10 @@ pub mod accuracy;
 pub mod stability;
 pub mod state;
 
+use crate::tui::pages::numerics::accuracy::accuracy_status;
+use crate::tui::pages::numerics::stability::{battery_readout, map_readout, stability_status};
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::runs::name_of;
 use cmra_engine::model::library;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::variables;
@@ -74,15 +77,15 @@ impl Page for NumericsTab {
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
             ACCURACY => note(accuracy::readout(app)),
-            STABILITY => note(app.map_readout()),
-            _ => app.battery_readout(),
+            STABILITY => note(map_readout(app)),
+            _ => battery_readout(app),
         }
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         match app.pane() {
-            ACCURACY => app.accuracy_status(),
-            _ => app.stability_status(),
+            ACCURACY => accuracy_status(app),
+            _ => stability_status(app),
         }
     }
 
@@ -96,7 +99,7 @@ impl Page for NumericsTab {
         Some(match app.pane() {
             ACCURACY => {
                 let kept = &tab.accuracy.report;
-                let (report, name) = (kept.result.clone()?, app.name_of(&kept.scene));
+                let (report, name) = (kept.result.clone()?, name_of(app, &kept.scene));
                 let csv =
                     move |reach| accuracy_table::table(&name, &report).with_reach(reach).csv();
                 let title = "Export the measurements to CSV";
@@ -112,7 +115,7 @@ impl Page for NumericsTab {
             }
             _ => {
                 let kept = &tab.stability.map;
-                let (map, name) = (kept.result.clone()?, app.name_of(&kept.scene));
+                let (map, name) = (kept.result.clone()?, name_of(app, &kept.scene));
                 let command =
                     format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
                 let warnings: Vec<Warning> = library::warnings(&kept.scene).collect();

@@ -2,7 +2,7 @@
 
 pub mod charts;
 pub mod editor;
-pub(crate) mod impact;
+pub mod impact;
 pub(crate) mod matters;
 pub mod runs;
 pub mod state;
@@ -11,6 +11,8 @@ mod status;
 use crate::tui::chart::Unit;
 use crate::tui::pages::page::open_field;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::run::charts::end_s;
+use crate::tui::pages::run::matters::matters_words;
 use crate::tui::widgets::axis::FIELD_DIGITS;
 use crate::tui::widgets::form::FieldQuantity;
 use crate::tui::widgets::layout::{NARROW, ROOMY, WIDE};
@@ -122,7 +124,7 @@ impl Page for RunTab {
             CHARTS => note(Some(charts::draw::event_words(app, app.pages.run.charts.selected))),
             RUNS => note(runs::difference(app)),
             VARIABLES if app.pages.run.editor.shows(&app.scene) => {
-                note(Some(app.matters_words().unwrap_or_else(|| app.variable_words(room))))
+                note(Some(matters_words(app).unwrap_or_else(|| app.variable_words(room))))
             }
             _ => None,
         }
@@ -204,7 +206,7 @@ impl Page for RunTab {
         if app.pane() != CHARTS {
             return Vec::new();
         }
-        let unit = Unit::with_prefix(app.end_s(app.pages.run.charts.selected), "s");
+        let unit = Unit::with_prefix(end_s(app, app.pages.run.charts.selected), "s");
         vec![("t".to_owned(), unit.name.into_owned())]
     }
 
@@ -252,7 +254,7 @@ pub(crate) fn lay_beside(app: &mut App, traces: Arc<Traces>) {
 
 /// Updates the displayed traces after a change of the run or the charts.
 pub(crate) fn follow_traces(app: &mut App) {
-    let ends = [0, 1, 2].map(|chart| (app.pages.run.charts.quantities[chart], app.end_s(chart)));
+    let ends = [0, 1, 2].map(|chart| (app.pages.run.charts.quantities[chart], end_s(app, chart)));
     let page = &mut app.pages.run;
     page.drawn.follow(page.beside.as_ref(), ends);
     let run = app.shown.as_ref().map(|shown| &shown.run);

@@ -3,21 +3,24 @@
 pub(crate) mod draw;
 mod front;
 mod monte_carlo;
-mod results;
+pub mod results;
 mod seek;
 mod sensitivity;
 pub mod setup;
 pub mod state;
-pub(crate) mod study_page;
+pub mod study_page;
 
 use crate::tui::app::history::Snapshot;
 use crate::tui::app::notice::outside_at_ends;
 use crate::tui::pages::page::move_by;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
+use crate::tui::pages::run::runs::name_of;
+use crate::tui::pages::search::results::{search_design, search_is_old, searching};
 use crate::tui::pages::search::setup::read_bound;
 use crate::tui::pages::search::state::{Bound, Row, Setup};
 use crate::tui::pages::search::study_page::Answer;
+use crate::tui::pages::search::study_page::search_words;
 use crate::tui::widgets::along;
 use crate::tui::widgets::axis::whole;
 use crate::tui::widgets::form::{Form, quantity_after};
@@ -130,7 +133,8 @@ impl Page for SearchTab {
     fn enter(&self, app: &mut App) {
         let tab = &app.pages.search;
         let kept = &tab.results[tab.page as usize];
-        let is_there = app.searching(tab.page).is_some() || kept.result.is_some() && kept.is_over();
+        let is_there =
+            searching(app, tab.page).is_some() || kept.result.is_some() && kept.is_over();
         if is_there {
             follow(app);
         } else if tab.page != state::Page::Front {
@@ -151,8 +155,8 @@ impl Page for SearchTab {
         match action {
             Action::Run => search(app, Some(action)),
             _ if app.pane() == SETUP => return false,
-            Action::Enter => edit::load_design(app, app.search_design()),
-            Action::Mark => runs::pin_design(app, app.search_design()),
+            Action::Enter => edit::load_design(app, search_design(app)),
+            Action::Mark => runs::pin_design(app, search_design(app)),
             _ => match along(action) {
                 Some(by) => move_by(app, by),
                 None => return false,
@@ -171,12 +175,12 @@ impl Page for SearchTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.search;
-        if let Some(running) = app.searching(tab.page) {
+        if let Some(running) = searching(app, tab.page) {
             let counted = running.counted("of", " runs").replacen(": ", ": about ", 1);
             return vec![under_way(&format!("searching{counted}"))];
         }
         let answer = tab.answer();
-        let own = answer.filter(|_| !app.search_is_old());
+        let own = answer.filter(|_| !search_is_old(app));
         let kept = &tab.results[tab.page as usize];
         let first = match (answer, own) {
             (Some(_), None) => part(Severity::Warning, old("setup")),
@@ -206,7 +210,7 @@ impl Page for SearchTab {
         let kept = app.pages.search.shown()?;
         let (answer, scene) = (kept.result.clone()?, Arc::clone(&kept.scene));
         let command = SearchRequest::downcast(kept.request.as_ref()?)?.command();
-        let name = app.name_of(&scene);
+        let name = name_of(app, &scene);
         let csv = move |reach| answer.csv(&scene, &name, reach);
         let (title, file) = ("Export the results to CSV", app.pages.search.page.study().file);
         let table = PageTable::new(title, file, kept.reach, csv);
@@ -256,14 +260,14 @@ impl Page for SearchTab {
 pub(crate) fn hidden_lines(app: &App) -> usize {
     let Some(body) = app.layout().body else { return 0 };
     let (_, area) = panes(app, body);
-    let words = app.search_words(usize::from(area.width.saturating_sub(2)));
+    let words = search_words(app, usize::from(area.width.saturating_sub(2)));
     let below = app.pages.search.words_height(area.height, &words);
     words.count().saturating_sub(usize::from(below.saturating_sub(2)))
 }
 
 /// Repeats a goal seek after an edit of the setup or the scene.
 fn follow(app: &mut App) {
-    if app.pages.search.page == state::Page::Seek && app.search_is_old() {
+    if app.pages.search.page == state::Page::Seek && search_is_old(app) {
         search(app, None);
     }
 }

@@ -3,6 +3,7 @@
 pub mod state;
 
 use crate::tui::pages::explore;
+use crate::tui::pages::explore::cursor::chart_kind;
 use crate::tui::pages::explore::plan::is_corrected_figure;
 use crate::tui::pages::explore::state::ChartKind;
 use crate::tui::pages::page::prelude::*;
@@ -192,7 +193,7 @@ pub(crate) fn axes(scene: &Scene) -> usize {
 /// scheme.
 fn picture_of(app: &App, base: &ReferencePreset) -> ChartKind {
     match axes(&base.scene) {
-        0 => app.picture(),
+        0 => chart_kind(app),
         2.. if !is_corrected_figure(base) => ChartKind::Surface,
         _ => ChartKind::Line,
     }

@@ -1,5 +1,6 @@
 //! A study is one request, whichever door it is asked at: the request of a tab, shown as a command, makes the same rows there.
 
+use cmra::tui::pages::explore::plan::sweep_plan;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -79,7 +80,7 @@ fn the_requests_of_the_search_tab_are_those_of_the_commands() {
 #[test]
 fn the_points_of_explore_are_those_of_a_sweep() {
     for pairs in SCENES {
-        let plan = Arc::new(bench(pairs).app.sweep_plan().unwrap());
+        let plan = Arc::new(sweep_plan(&bench(pairs).app).unwrap());
         let outputs: Vec<&str> = plan.outputs().iter().map(|output| output.name).collect();
         let over: Vec<String> = plan.axes().iter().map(|axis| format!("--over {axis}")).collect();
         let command = format!("sweep {} --outputs {}", over.join(" "), outputs.join(","));

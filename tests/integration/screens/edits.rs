@@ -1,5 +1,7 @@
 //! Edits of the scene and of setups: what they change, and how they are undone.
 
+use cmra::tui::pages::explore::cursor::{chart_kind, sweep_is_old};
+use cmra::tui::pages::explore::plan::sweep_plan;
 use std::sync::Arc;
 
 use super::bench::Bench;
@@ -73,7 +75,7 @@ fn the_plates_face_is_set_in_the_run_tab() {
     let exact = 2710.0 * 0.0254 * 0.15 * 0.15 / 0.0295;
     assert!((bench.app.scene.mass_ratio() - exact).abs() < 1e-12 * exact);
     // The axis of Explore is the face, from half to twice its value: gamma follows from it.
-    let plan = bench.app.sweep_plan().expect("a plan");
+    let plan = sweep_plan(&bench.app).expect("a plan");
     assert_eq!((plan.axes()[0].symbol(), plan.axes()[0].ends()), ("face", (0.075, 0.3)));
     bench.keys("/gamma<Enter><Enter>2<Enter>");
     assert_eq!(bench.app.scene.plate.size, PlateSize::Ratio(2.0));
@@ -87,9 +89,9 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
     let mut bench = Bench::ascii(80, 24);
     keys(&mut bench, "2<Tab>gjj<Enter>face<Enter>");
     keys(&mut bench, "gjl");
-    assert_eq!(bench.app.picture(), ChartKind::Surface);
+    assert_eq!(chart_kind(&bench.app), ChartKind::Surface);
     let axes = |bench: &Bench| {
-        let plan = bench.app.sweep_plan().unwrap();
+        let plan = sweep_plan(&bench.app).unwrap();
         plan.axes().iter().map(|axis| axis.symbol().to_owned()).collect::<Vec<_>>()
     };
     assert_eq!(axes(&bench), ["face", "k"]);
@@ -101,7 +103,7 @@ fn two_sizes_of_the_plate_are_never_two_axes() {
     // The axis replaces the scene's own size, and a design keeps it.
     keys(&mut bench, "<Tab>l<Enter>");
     assert!(matches!(bench.app.scene.plate.size, PlateSize::Face(_)), "{}", bench.message());
-    assert!(!bench.app.sweep_is_old());
+    assert!(!sweep_is_old(&bench.app));
 }
 
 #[test]
@@ -191,7 +193,7 @@ fn a_bare_number_has_the_unit_that_its_field_shows_on_every_page() {
     keys(&mut bench, "40 kg<Enter>");
     assert!(bench.message().contains("or no unit for mm"), "{}", bench.message());
     keys(&mut bench, "<Esc><Enter>40<Enter>");
-    near(bench.app.sweep_plan().expect("a plan").axes()[0].ends().1, 0.04);
+    near(sweep_plan(&bench.app).expect("a plan").axes()[0].ends().1, 0.04);
     // Goal seek: its range and its goal.
     bench.keys("4");
     bench.app.pages.search.row = Row::Axis(Part::Name);

@@ -1,5 +1,6 @@
 //! Tables that the workbench writes, made again by the command in the scene file beside them.
 
+use cmra::tui::pages::explore::plan::sweep_plan;
 use std::fs;
 use std::path::Path;
 use std::sync::{Arc, mpsc};
@@ -121,7 +122,7 @@ fn explore_varies_the_face_of_a_scene_that_has_one() {
     let mut bench = open(folder.path());
     bench.press("2");
     sweep::answer(&mut bench);
-    let plan = bench.app.sweep_plan().unwrap();
+    let plan = sweep_plan(&bench.app).unwrap();
     assert_eq!((plan.axes()[0].symbol(), plan.axes()[0].ends()), ("face", (0.05, 0.2)));
     bench.keys("g<Enter>");
     assert_eq!(bench.app.scene.plate.size, PlateSize::Face(0.05), "{}", bench.screen());

@@ -1,5 +1,6 @@
 //! The drawing of the impact below an enlarged chart, and its playing. The runs are real ones: their digits on the screen are few.
 
+use cmra::tui::pages::run::charts::end_s;
 use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -100,7 +101,7 @@ fn ticks(bench: &mut Bench) -> Vec<u64> {
 #[test]
 fn playing_goes_from_the_start_to_the_end_in_four_seconds() {
     let mut bench = open("", GlyphSet::Ascii, (80, 24));
-    let end_s = bench.app.end_s(0);
+    let end_s = end_s(&bench.app, 0);
     bench.press(".");
     assert_eq!(bench.app.pages.run.charts.cursor_s, Some(0.0));
     let mut played = 0;

@@ -2,6 +2,7 @@
 
 #![expect(clippy::float_cmp, reason = "what is typed is stored to the last bit")]
 
+use cmra::tui::pages::run::charts::{curves, end_s};
 use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -344,7 +345,7 @@ fn the_crosshair_reads_out() {
     let mut bench = bench();
     bench.keys("<Tab>l");
     let cursor = bench.app.pages.run.charts.cursor_s.expect("a cursor");
-    assert!(0.0 < cursor && cursor < bench.app.end_s(0), "{cursor}");
+    assert!(0.0 < cursor && cursor < end_s(&bench.app, 0), "{cursor}");
     assert!(
         bench.message().starts_with("t ") && bench.message().contains(" | p "),
         "{}",
@@ -359,7 +360,7 @@ fn a_chart_shows_the_contact_or_the_whole_response() {
     let mut bench = bench();
     bench.keys("<Tab>c");
     assert_eq!(bench.app.pages.run.charts.windows[0], Window::Whole);
-    assert_eq!(bench.app.end_s(0).to_bits(), 1.3e-3_f64.to_bits());
+    assert_eq!(end_s(&bench.app, 0).to_bits(), 1.3e-3_f64.to_bits());
 }
 
 #[test]
@@ -737,7 +738,7 @@ fn force_over_displacement_is_drawn_over_the_whole_way_of_the_plate() {
     let run = bench.app.shown.as_ref().unwrap().run.clone();
     let farthest = run.max_plate_displacement_m.unwrap();
     bench.app.pages.run.charts.quantities[0] = Channel::MountForce;
-    let curves = bench.app.curves(0);
+    let curves = curves(&bench.app, 0);
     let drawn = curves[0].points.iter().map(|point| point.0).fold(0.0, f64::max);
     assert!((drawn - farthest).abs() < 1e-3 * farthest, "{drawn} {farthest}");
 }

@@ -1,5 +1,6 @@
 //! The Limit tab: keys and whole screens. The curve of residual velocities is made up, the comparison and a coarse map are computed.
 
+use cmra::tui::pages::limit::comparison::candidate_lines;
 use std::sync::Arc;
 
 use super::at_every_size;
@@ -208,7 +209,7 @@ fn no_line_of_the_candidates_is_cut() {
     bench.app.scene = Arc::new(crate::support::scene("k=0"));
     bench.press("3");
     answer(&mut bench);
-    let lines = bench.app.candidate_lines(60);
+    let lines = candidate_lines(&bench.app, 60);
     let text: Vec<&str> = lines.iter().map(|line| line.0.trim()).collect();
     assert!(lines.iter().all(|line| line.0.chars().count() <= 60), "{text:?}");
     assert!(text.join(" ").contains("not an alternative, only the effect of the mass ratio"));

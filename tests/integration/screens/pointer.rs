@@ -6,6 +6,7 @@ use super::{accuracy, search, stability};
 use cmra::tui::keymap::Tab;
 use cmra::tui::keymap::Target;
 use cmra::tui::message::Message;
+use cmra::tui::pages::search::study_page::search_words;
 use cmra::tui::pages::{explore, numerics, run};
 use cmra::tui::theme::GlyphSet;
 use cmra_engine::model::variables::VARIABLES;
@@ -218,7 +219,7 @@ fn a_click_on_a_row_of_results_selects_it_also_below_the_warnings_of_another() {
     let mut bench = search::open(GlyphSet::Ascii, (120, 40));
     bench.keys("<Tab>");
     let results = cmra::tui::pages::search::RESULTS;
-    let rows = bench.app.search_words(84).body;
+    let rows = search_words(&bench.app, 84).body;
     let solutions = rows.iter().take(bench.app.pages.search.choices());
     let texts: Vec<String> = solutions.map(|line| line.0[2..30].to_owned()).collect();
     for (row, text) in texts.iter().enumerate() {

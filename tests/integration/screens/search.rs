@@ -1,6 +1,9 @@
 //! The Search tab: keys and whole screens. Everything is computed but the front, which is made up: a search by chance may take
 //! another way at the last digit of a run.
 
+use cmra::tui::pages::log::log_lines;
+use cmra::tui::pages::search::results::search_is_old;
+use cmra::tui::pages::search::study_page::search_words;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
@@ -124,7 +127,7 @@ fn every_study_is_set_up_run_and_answered_on_the_same_page() {
         place(&bench, "+- Setup -");
         let (row, column) = place(&bench, &format!("+- {} -", page.title()));
         assert_eq!(column, 27, "{page:?}");
-        let words = bench.app.search_words(51);
+        let words = search_words(&bench.app, 51);
         let lines: Vec<String> = bench.screen().lines().map(str::to_owned).collect();
         for (line, (text, _)) in lines[row + 1..].iter().zip(&words.head) {
             assert!(line.contains(text), "{page:?}: {text}: {line}");
@@ -165,7 +168,7 @@ fn a_solution_becomes_the_scene_and_back() {
     assert_eq!(bench.app.tab, Tab::Search, "what was searched stays on the screen");
     let cocking = bench.app.scene.plate.cocking_m;
     assert!((cocking - 0.025_600_338).abs() < 1e-8, "{cocking}");
-    assert!(!bench.app.search_is_old(), "the value that was searched for does not make it stale");
+    assert!(!search_is_old(&bench.app), "the value that was searched for does not make it stale");
     bench.keys("u");
     assert_eq!(bench.app.scene, before);
     bench.keys("4r");
@@ -251,7 +254,7 @@ fn a_breach_at_the_end_of_the_range_is_named_and_explained() {
     answer(&mut bench);
     assert!(bench.screen().contains("at the ends: "), "{}", bench.screen());
     bench.keys("7");
-    let lines = bench.app.log_lines(200);
+    let lines = log_lines(&bench.app, 200);
     let found =
         lines.iter().any(|line| line.0.contains("at d = 0.5: ") && line.0.contains("2.875"));
     assert!(found, "{lines:?}");

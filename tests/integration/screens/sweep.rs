@@ -1,5 +1,6 @@
 //! The Sweep and Surface tabs: whole screens on real sweeps of few points, and keys.
 
+use cmra::tui::pages::explore::cursor::chart_kind;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;
@@ -123,7 +124,7 @@ fn a_figure_has_the_curves_of_the_printed_scheme_beside_its_own() {
 fn a_figure_as_a_map_says_where_the_printed_scheme_is_drawn() {
     let mut bench = open("figure-9.8", 7, GlyphSet::Ascii, (80, 24));
     keys(&mut bench, "2<Tab>kl");
-    assert_eq!(bench.app.picture(), ChartKind::Surface);
+    assert_eq!(chart_kind(&bench.app), ChartKind::Surface);
     assert!(bench.message().contains("the corrected physics alone"), "{}", bench.message());
 }
 
@@ -358,9 +359,9 @@ fn a_scene_without_a_sweep_gets_usual_axes() {
     bench.app.pages.explore.row = SetupRow::Picture;
     keys(&mut bench, "<Tab>l");
     assert!(bench.screen().contains("variable  gamma"), "{}", bench.screen());
-    assert_eq!(bench.app.picture(), ChartKind::Line);
+    assert_eq!(chart_kind(&bench.app), ChartKind::Line);
     keys(&mut bench, "u");
-    assert_eq!(bench.app.picture(), ChartKind::Surface);
+    assert_eq!(chart_kind(&bench.app), ChartKind::Surface);
 }
 
 #[test]

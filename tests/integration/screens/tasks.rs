@@ -7,6 +7,7 @@ use cmra::files::library;
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::explore;
+use cmra::tui::pages::search::results::search_is_old;
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::preset::PresetEntry;
 use cmra_engine::model::scene::PlateSize;
@@ -67,7 +68,7 @@ fn the_cocking_distance_for_60_percent_takes_1_and_for_50_percent_3_more() {
     search::answer(&mut task.bench);
     assert_eq!(task.presses - 1, 3);
     assert!(task.bench.screen().contains("goal 50 %"), "{}", task.bench.screen());
-    assert!(!task.bench.app.search_is_old());
+    assert!(!search_is_old(&task.bench.app));
 }
 
 #[test]

@@ -238,8 +238,15 @@ pub fn whole_below(position: f64, count: usize) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
+    use proptest::test_runner::FileFailurePersistence;
 
     use super::*;
+
+    /// Where the failures of all packages are kept.
+    const REGRESSIONS: &str = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../proptest-regressions/studies/report/chart/scale.txt"
+    );
 
     /// Difference of a hundred times the search width of a mass efficiency, and the noise of one.
     #[test]
@@ -285,6 +292,11 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig {
+            failure_persistence: Some(Box::new(FileFailurePersistence::Direct(REGRESSIONS))),
+            ..ProptestConfig::default()
+        })]
+
         #[test]
         fn ranges_stay_sane_under_any_operation(
             a in any_f64(), b in any_f64(), scale in any_scale(),

@@ -1,5 +1,6 @@
 //! Point under the cursor of the Explore tab, as a design and as text.
 
+use crate::tui::pages::explore::plan::sweep_plan;
 use crate::tui::pages::explore::state::{ChartKind, nearest, placed};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::place::{self, on_axis};
@@ -10,71 +11,69 @@ use cmra_studies::study::quantities::Quantity;
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::sweep::grid::{Cell, Grid};
 
-impl App {
-    /// Returns the display of Explore: curves or a map.
-    pub fn picture(&self) -> ChartKind {
-        self.pages.explore.picture
-    }
+/// Returns the display of Explore: curves or a map.
+pub fn chart_kind(app: &App) -> ChartKind {
+    app.pages.explore.picture
+}
 
-    /// Returns `true` if the displayed result belongs to other axes or constant variables than the present ones.
-    pub fn sweep_is_old(&self) -> bool {
-        let wanted = self.sweep_plan().ok();
-        let shown = self.pages.explore.found().map(|grid| &**grid.plan());
-        shown.is_some() && shown != wanted.as_ref()
-    }
+/// Returns `true` if the displayed result belongs to other axes or constant variables than the present ones.
+pub fn sweep_is_old(app: &App) -> bool {
+    let wanted = sweep_plan(app).ok();
+    let shown = app.pages.explore.found().map(|grid| &**grid.plan());
+    shown.is_some() && shown != wanted.as_ref()
+}
 
-    pub fn shown_output(&self, grid: &Grid) -> (usize, &'static Quantity) {
-        let outputs = grid.plan().outputs();
-        let at = self.pages.explore.output.min(outputs.len().saturating_sub(1));
-        (at, outputs[at])
-    }
+pub fn shown_output(app: &App, grid: &Grid) -> (usize, &'static Quantity) {
+    let outputs = grid.plan().outputs();
+    let at = app.pages.explore.output.min(outputs.len().saturating_sub(1));
+    (at, outputs[at])
+}
 
-    /// Returns the grid point under the cursor; before it is moved, the point nearest to the scene.
-    pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
-        let (across, up) = grid.counts();
-        if let Some(at) = self.pages.explore.cursor.filter(|(x, y)| *x < across && *y < up) {
-            return at;
-        }
-        let along = |axis: Option<&Axis>| {
-            let axis = axis?;
-            nearest(axis, axis.own_value(&self.scene)?)
-        };
-        let axes = grid.plan().axes();
-        (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
+/// Returns the grid point under the cursor; before it is moved, the point nearest to the scene.
+pub fn cursor_point(app: &App, grid: &Grid) -> (usize, usize) {
+    let (across, up) = grid.counts();
+    if let Some(at) = app.pages.explore.cursor.filter(|(x, y)| *x < across && *y < up) {
+        return at;
     }
+    let along = |axis: Option<&Axis>| {
+        let axis = axis?;
+        nearest(axis, axis.own_value(&app.scene)?)
+    };
+    let axes = grid.plan().axes();
+    (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
+}
 
-    /// Describes the point under the cursor in at most this many columns; only the output shown if the others do not fit.
-    pub fn sweep_readout(&self, width: usize) -> Option<String> {
-        let grid = self.pages.explore.found()?;
-        let (x, y) = self.cursor_point(grid);
-        let values = || values_at(grid, (x, y));
-        let is_here = |(axis, value): (&Axis, f64)| axis.own_value(&self.scene) == Some(value);
-        let near = if values().all(is_here) { "" } else { "near " };
-        let place =
-            values().map(|(axis, value)| format!("{} {}", axis.symbol(), axis.display(value, 5)));
-        let place = place.collect::<Vec<_>>().join(" ");
-        let (shown, _) = self.shown_output(grid);
-        let outputs = grid.plan().outputs().iter().enumerate();
-        let mut words: Vec<String> =
-            outputs.map(|(at, output)| cell_words(output, grid.cell(x, y, at))).collect();
-        let own = words[shown].clone();
-        // For a point without values all outputs have the same text.
-        words.dedup();
-        let all = format!("{near}{place}: {}", words.join(", "));
-        Some(fitting([all, format!("{near}{place}: {own}")], width))
-    }
+/// Describes the point under the cursor in at most this many columns; only the output shown if the others do not fit.
+pub fn sweep_readout(app: &App, width: usize) -> Option<String> {
+    let grid = app.pages.explore.found()?;
+    let (x, y) = cursor_point(app, grid);
+    let values = || values_at(grid, (x, y));
+    let is_here = |(axis, value): (&Axis, f64)| axis.own_value(&app.scene) == Some(value);
+    let near = if values().all(is_here) { "" } else { "near " };
+    let place =
+        values().map(|(axis, value)| format!("{} {}", axis.symbol(), axis.display(value, 5)));
+    let place = place.collect::<Vec<_>>().join(" ");
+    let (shown, _) = shown_output(app, grid);
+    let outputs = grid.plan().outputs().iter().enumerate();
+    let mut words: Vec<String> =
+        outputs.map(|(at, output)| cell_words(output, grid.cell(x, y, at))).collect();
+    let own = words[shown].clone();
+    // For a point without values all outputs have the same text.
+    words.dedup();
+    let all = format!("{near}{place}: {}", words.join(", "));
+    Some(fitting([all, format!("{near}{place}: {own}")], width))
+}
 
-    /// Returns the design under the cursor as a scene, labelled with the values of the axes.
-    pub fn sweep_design(&self) -> Result<LabelledScene, String> {
-        let Some(grid) = self.pages.explore.found() else {
-            return Err(no_sweep(self));
-        };
-        if self.sweep_is_old() {
-            return Err(old("setup"));
-        }
-        let point = self.cursor_point(grid);
-        Ok(placed((*self.scene).clone(), values_at(grid, point)))
+/// Returns the design under the cursor as a scene, labelled with the values of the axes.
+pub fn sweep_design(app: &App) -> Result<LabelledScene, String> {
+    let Some(grid) = app.pages.explore.found() else {
+        return Err(no_sweep(app));
+    };
+    if sweep_is_old(app) {
+        return Err(old("setup"));
     }
+    let point = cursor_point(app, grid);
+    Ok(placed((*app.scene).clone(), values_at(grid, point)))
 }
 
 /// Returns the text for a missing sweep.
@@ -85,7 +84,7 @@ pub(crate) fn no_sweep(app: &App) -> String {
 /// Returns the grid point nearest to a typed position; axes that are not named keep their index.
 pub(super) fn place(app: &App, text: &str) -> Result<(usize, usize), String> {
     let Some(grid) = app.pages.explore.found() else { return Err(no_sweep(app)) };
-    place_on(app, grid.plan().axes(), app.cursor_point(grid), text)
+    place_on(app, grid.plan().axes(), cursor_point(app, grid), text)
 }
 
 /// Returns the point of some axes nearest to a typed position, starting from a point.

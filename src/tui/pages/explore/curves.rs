@@ -2,8 +2,10 @@
 //! Points without a value are letters on the axis.
 
 use crate::tui::chart::{self, Chart, Curve, Emphasis, MARKERS};
+use crate::tui::pages::explore::cursor::{chart_kind, cursor_point, shown_output, sweep_is_old};
 use crate::tui::pages::explore::held;
 use crate::tui::pages::explore::plan::no_value;
+use crate::tui::pages::explore::setup::setup_form;
 use crate::tui::pages::explore::state::{self, RESULTS, SETUP, nearest};
 use crate::tui::pages::page::draw_setup;
 use crate::tui::pages::page::prelude::*;
@@ -21,15 +23,15 @@ const HELD_FROM: u16 = 10;
 /// Draws the setup, and beside it the curves or the map.
 pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (setup, area) = split_left(body, setup_width(body.width));
-    draw_setup(app, &app.setup_form(), SETUP, setup, canvas);
+    draw_setup(app, &setup_form(app), SETUP, setup, canvas);
     canvas.pane(area, RESULTS);
     let Some(grid) = app.pages.explore.found() else { return waiting(app, area, canvas) };
     let (line, area) = split_top(area, u16::from(area.height >= HELD_FROM));
     held::draw(app, grid, line, canvas);
-    let (output, column) = app.shown_output(grid);
+    let (output, column) = shown_output(app, grid);
     let old = if is_old(app) { ", of another scene" } else { "" };
     let title = column.title() + old;
-    let drawn = match app.picture() {
+    let drawn = match chart_kind(app) {
         state::ChartKind::Line => curves(app, grid, output, &title, area, canvas),
         state::ChartKind::Surface => map(app, grid, output, &title, area, canvas),
     };
@@ -45,12 +47,12 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
 
 /// Returns `true` if the picture belongs to another scene and none of this scene is being computed.
 fn is_old(app: &App) -> bool {
-    app.sweep_is_old() && app.jobs.running::<PictureSweep>().is_none()
+    sweep_is_old(app) && app.jobs.running::<PictureSweep>().is_none()
 }
 
 /// Draws a pane without results.
 fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let title = if app.picture() == state::ChartKind::Line { "Curves" } else { "Map" };
+    let title = if chart_kind(app) == state::ChartKind::Line { "Curves" } else { "Map" };
     let inner = PaneFrame::new(title).draw(area, canvas);
     let why = app.pages.explore.problem.as_ref().map(|_| "see the message below");
     let text = nothing::<PictureSweep>(app, "sweeping the first points", why);
@@ -77,7 +79,7 @@ fn curves(
     let printed = printed(app, grid, output);
     let values = lines.iter().chain(&printed).flatten().map(|point| point.1);
     let y = chart::Axis::fitted("", column.unit(), values)?;
-    let (x, selected) = app.cursor_point(grid);
+    let (x, selected) = cursor_point(app, grid);
     let curves = lines.iter().enumerate().map(|(index, points)| {
         let name = axes.get(1);
         let name = name.map_or_else(String::new, |axis| held::legend(app, axis, index as u64));
@@ -145,7 +147,7 @@ fn map(
     let titles = [title.to_owned(), shortened(title)].map(|it| format!("{it}, up: {}", up.label));
     let titles = titles.into_iter().chain([format!("up: {}", up.label)]);
     let title = fitting(titles, usize::from(area.width).saturating_sub(taken)).into();
-    let (x, y) = app.cursor_point(grid);
+    let (x, y) = cursor_point(app, grid);
     let cursor = column_of(&axes[0], x).zip(column_of(&axes[1], y));
     let map = Map { title, cursor, focused: app.has_focus(RESULTS), ..map };
     let layout = canvas.draw_map(&map, area);

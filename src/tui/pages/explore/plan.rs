@@ -1,5 +1,6 @@
 //! Plan of a chart or map of the Explore tab.
 
+use crate::tui::pages::explore::cursor::chart_kind;
 use crate::tui::pages::explore::state::{CURVES, ChartKind, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::preset::ReferencePreset;
@@ -34,41 +35,39 @@ fn family(second: &Axis) -> Result<Axis, StudyError> {
     Axis::from_sweep_axis(&listed, &GRID_COUNTS)
 }
 
-impl App {
-    /// Returns the plan of a figure's curves by the printed scheme of the thesis; `None` if the scene is not a figure, or already uses that
-    /// scheme.
-    pub(crate) fn printed_plan(&self) -> Option<Plan> {
-        if !is_corrected_figure(&self.base)
-            || self.scene.contact.model != ContactModel::Hydrodynamic
-            || self.picture() != ChartKind::Line
-        {
-            return None;
-        }
-        let mut scene = Scene::clone(&self.scene);
-        scene.contact.model = ContactModel::Appendix;
-        self.sweep_plan_of(&scene).ok()
+/// Returns the plan of a figure's curves by the printed scheme of the thesis; `None` if the scene is not a figure, or already uses that
+/// scheme.
+pub(crate) fn printed_plan(app: &App) -> Option<Plan> {
+    if !is_corrected_figure(&app.base)
+        || app.scene.contact.model != ContactModel::Hydrodynamic
+        || chart_kind(app) != ChartKind::Line
+    {
+        return None;
     }
+    let mut scene = Scene::clone(&app.scene);
+    scene.contact.model = ContactModel::Appendix;
+    sweep_plan_of(app, &scene).ok()
+}
 
-    /// Returns the plan of the displayed chart or map for the present scene.
-    pub fn sweep_plan(&self) -> Result<Plan, StudyError> {
-        self.sweep_plan_of(&self.scene)
-    }
+/// Returns the plan of the displayed chart or map for the present scene.
+pub fn sweep_plan(app: &App) -> Result<Plan, StudyError> {
+    sweep_plan_of(app, &app.scene)
+}
 
-    /// Builds the sweep plan for another scene.
-    pub fn sweep_plan_of(&self, scene: &Scene) -> Result<Plan, StudyError> {
-        let sweep = sweep_of(scene);
-        let axis = |at: usize| Axis::from_sweep_axis(&sweep.axes[at], &GRID_COUNTS);
-        let mut axes = vec![axis(0)?];
-        match self.picture() {
-            ChartKind::Line if has_family(scene) => {
-                axes.push(family(&axis(1)?)?);
-            }
-            ChartKind::Line => {}
-            ChartKind::Surface => axes.push(axis(1)?),
+/// Builds the sweep plan for another scene.
+pub fn sweep_plan_of(app: &App, scene: &Scene) -> Result<Plan, StudyError> {
+    let sweep = sweep_of(scene);
+    let axis = |at: usize| Axis::from_sweep_axis(&sweep.axes[at], &GRID_COUNTS);
+    let mut axes = vec![axis(0)?];
+    match chart_kind(app) {
+        ChartKind::Line if has_family(scene) => {
+            axes.push(family(&axis(1)?)?);
         }
-        let plan = Plan::new(scene, axes, &sweep.outputs)?;
-        grid::fits(&plan).map(|()| plan)
+        ChartKind::Line => {}
+        ChartKind::Surface => axes.push(axis(1)?),
     }
+    let plan = Plan::new(scene, axes, &sweep.outputs)?;
+    grid::fits(&plan).map(|()| plan)
 }
 
 /// Explains why an output exists at no point of a picture, with the remedy.

@@ -1,6 +1,8 @@
 //! Setup of Explore as a list: axes and output. No drawing.
 
+use crate::tui::pages::explore::cursor::chart_kind;
 use crate::tui::pages::explore::plan::is_corrected_figure;
+use crate::tui::pages::explore::plan::{sweep_plan, sweep_plan_of};
 use crate::tui::pages::explore::state::{ChartKind, SetupRow, completed, has_family, sweep_of};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::axis::{Part, numeric, over};
@@ -14,62 +16,60 @@ use cmra_studies::study::quantities::{Quantity, named};
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::sweep::grid::GRID_COUNTS;
 
-impl App {
-    /// Returns the rows of the setup, headings included.
-    fn setup_rows(&self) -> Vec<SetupRow> {
-        use SetupRow as R;
-        let is_map = self.picture() == ChartKind::Surface;
-        let has_two = is_map || has_family(&self.scene);
-        let mut rows = vec![R::Heading("Show"), R::Output, R::Picture, R::Heading("Along")];
-        let along = [Part::Name, Part::From, Part::To, Part::Points, Part::Spacing];
-        rows.extend(along.map(|part| R::Axis(0, part)));
-        rows.extend([R::Heading("Across"), R::Axis(1, Part::Name)]);
-        if has_two {
-            rows.extend([R::Axis(1, Part::From), R::Axis(1, Part::To)]);
-            rows.extend(is_map.then_some(R::Axis(1, Part::Points)));
-            rows.push(R::Axis(1, Part::Spacing));
+/// Returns the rows of the setup, headings included.
+fn setup_rows(app: &App) -> Vec<SetupRow> {
+    use SetupRow as R;
+    let is_map = chart_kind(app) == ChartKind::Surface;
+    let has_two = is_map || has_family(&app.scene);
+    let mut rows = vec![R::Heading("Show"), R::Output, R::Picture, R::Heading("Along")];
+    let along = [Part::Name, Part::From, Part::To, Part::Points, Part::Spacing];
+    rows.extend(along.map(|part| R::Axis(0, part)));
+    rows.extend([R::Heading("Across"), R::Axis(1, Part::Name)]);
+    if has_two {
+        rows.extend([R::Axis(1, Part::From), R::Axis(1, Part::To)]);
+        rows.extend(is_map.then_some(R::Axis(1, Part::Points)));
+        rows.push(R::Axis(1, Part::Spacing));
+    }
+    rows
+}
+
+/// Returns the selectable rows.
+pub fn setup_choices(app: &App) -> Vec<SetupRow> {
+    let mut rows = setup_rows(app);
+    rows.retain(|row| !matches!(row, SetupRow::Heading(_)));
+    rows
+}
+
+/// Returns the selected row; the first axis if the selection no longer exists.
+pub(crate) fn setup_row(app: &App) -> SetupRow {
+    let row = app.pages.explore.row;
+    if setup_rows(app).contains(&row) { row } else { SetupRow::default() }
+}
+
+pub(crate) fn setup_form(app: &App) -> Form {
+    let sweep = sweep_of(&app.scene);
+    Form::new(&setup_rows(app), setup_row(app), |row| setup_line(app, row, &sweep))
+}
+
+/// Returns a row of the setup, with the sweep of the scene.
+pub(crate) fn setup_line(app: &App, row: SetupRow, sweep: &Sweep) -> FormRow {
+    let picture = chart_kind(app);
+    // A default second axis is not displayed as chosen.
+    let has_one = picture == ChartKind::Line && !has_family(&app.scene);
+    match row {
+        SetupRow::Heading(text) => FormRow::heading(text),
+        SetupRow::Axis(1, Part::Name) if has_one => FormRow::typed("variable", "none").means(
+            "curves can be repeated for values of a second variable: <right>, or <enter> and its name",
+        ),
+        SetupRow::Axis(at, part) => part.line(&sweep.axes[at], app.unit_of(&sweep.axes[at].name)),
+        SetupRow::Picture => {
+            let word = if picture == ChartKind::Line { "curves" } else { "map" };
+            FormRow::choice("shown as", word).means(
+                "curves: one for each value of the variable across, if any; map: colours over both",
+            )
         }
-        rows
-    }
-
-    /// Returns the selectable rows.
-    pub fn setup_choices(&self) -> Vec<SetupRow> {
-        let mut rows = self.setup_rows();
-        rows.retain(|row| !matches!(row, SetupRow::Heading(_)));
-        rows
-    }
-
-    /// Returns the selected row; the first axis if the selection no longer exists.
-    pub(super) fn setup_row(&self) -> SetupRow {
-        let row = self.pages.explore.row;
-        if self.setup_rows().contains(&row) { row } else { SetupRow::default() }
-    }
-
-    pub(crate) fn setup_form(&self) -> Form {
-        let sweep = sweep_of(&self.scene);
-        Form::new(&self.setup_rows(), self.setup_row(), |row| self.setup_line(row, &sweep))
-    }
-
-    /// Returns a row of the setup, with the sweep of the scene.
-    pub(crate) fn setup_line(&self, row: SetupRow, sweep: &Sweep) -> FormRow {
-        let picture = self.picture();
-        // A default second axis is not displayed as chosen.
-        let has_one = picture == ChartKind::Line && !has_family(&self.scene);
-        match row {
-            SetupRow::Heading(text) => FormRow::heading(text),
-            SetupRow::Axis(1, Part::Name) if has_one => FormRow::typed("variable", "none").means(
-                "curves can be repeated for values of a second variable: <right>, or <enter> and its name",
-            ),
-            SetupRow::Axis(at, part) => part.line(&sweep.axes[at], self.unit_of(&sweep.axes[at].name)),
-            SetupRow::Picture => {
-                let word = if picture == ChartKind::Line { "curves" } else { "map" };
-                FormRow::choice("shown as", word).means(
-                    "curves: one for each value of the variable across, if any; map: colours over both",
-                )
-            }
-            SetupRow::Output => {
-                FormRow::quantity(&sweep.outputs[self.pages.explore.output_of(sweep)])
-            }
+        SetupRow::Output => {
+            FormRow::quantity(&sweep.outputs[app.pages.explore.output_of(sweep)])
         }
     }
 }
@@ -77,7 +77,7 @@ impl App {
 /// Changes the value of a row.
 pub(crate) fn change(app: &mut App, row: SetupRow, input: Input<'_>) -> Result<(), String> {
     let mut sweep = sweep_of(&app.scene);
-    let picture = app.picture();
+    let picture = chart_kind(app);
     match (row, input) {
         (SetupRow::Axis(1, Part::Name), Input::Text("none")) if picture == ChartKind::Line => {
             without_family(app, sweep);
@@ -129,7 +129,7 @@ fn next_variable(app: &mut App, at: usize, by: isize) -> Result<(), String> {
     let is_there = |variable: &&'static Variable| {
         other.is_none_or(|other| !variables::exclude_each_other(other, variable))
     };
-    let has_none = at == 1 && app.picture() == ChartKind::Line;
+    let has_none = at == 1 && chart_kind(app) == ChartKind::Line;
     let choices = numeric(&app.scene).filter(is_there).map(Some);
     let choices: Vec<Option<&'static Variable>> = choices.chain(has_none.then_some(None)).collect();
     let now = variables::find(&sweep.axes[at].name).ok().filter(|_| has_family || !has_none);
@@ -154,7 +154,7 @@ fn without_family(app: &mut App, mut sweep: Sweep) {
 fn settled(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
     if changed == 0 && !has_family(&app.scene) {
         sweep.axes.truncate(1);
-        if app.picture() == ChartKind::Surface {
+        if chart_kind(app) == ChartKind::Surface {
             sweep = completed(&app.scene, sweep);
         }
     }
@@ -165,7 +165,7 @@ fn settled(app: &App, mut sweep: Sweep, changed: usize) -> Sweep {
 fn show_as(app: &mut App, picture: ChartKind) -> Result<(), String> {
     let state = app.snapshot();
     app.pages.explore.picture = picture;
-    if let Err(error) = app.sweep_plan() {
+    if let Err(error) = sweep_plan(app) {
         app.pages.explore.picture = state.picture;
         return Err(error.to_string());
     }
@@ -181,7 +181,7 @@ fn checked(app: &mut App, sweep: Sweep, changed: usize) -> Result<(), String> {
         Axis::from_sweep_axis(axis, &GRID_COUNTS).map_err(|error| error.to_string())?;
     }
     let edited = Scene { sweep: Some(sweep.clone()), ..Scene::clone(&app.scene) };
-    app.sweep_plan_of(&edited).map_err(|error| error.to_string())?;
+    sweep_plan_of(app, &edited).map_err(|error| error.to_string())?;
     let show = units::shortest;
     let words =
         sweep.axes.iter().map(|it| format!("{} {}..{}", it.name, show(it.from), show(it.to)));

@@ -1,6 +1,7 @@
 //! Comparison of candidates with equal areal mass for the design under the cursor, with its basis.
 
 use crate::tui::app::running::CachedResult;
+use crate::tui::pages::limit::map::design;
 use crate::tui::pages::limit::state::CANDIDATES;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::plain::{self, TextStyle};
@@ -12,23 +13,21 @@ use cmra_studies::study::compare::{self, Candidate};
 /// Explanation of the comparison's rows, for `?`.
 pub(crate) const COMPARISON_WORDS: &str = "Ballistic limit: the plate is perforated above it. Limit if the spring survives: the plate is perforated, or the spring fails, by its known mass and the range of its law. Mass efficiency: areal mass of the solid plate that just stops the shot, over that of this armour. *: nothing stops plate and projectile";
 
-impl App {
-    /// Returns the comparison of the scene, if available.
-    pub(crate) fn own_comparison(&self) -> Option<&compare::ComparisonReport> {
-        of_scene(&self.pages.limit.own, &self.scene)
-    }
+/// Returns the comparison of the scene, if available.
+pub(crate) fn own_comparison(app: &App) -> Option<&compare::ComparisonReport> {
+    of_scene(&app.pages.limit.own, &app.scene)
+}
 
-    /// Returns the comparison of the design under the cursor, if available.
-    fn candidates(&self) -> Option<&compare::ComparisonReport> {
-        if self.pages.limit.cursor.is_none() {
-            return self.own_comparison();
-        }
-        of_scene(&self.pages.limit.design, &self.design().ok()?.scene)
+/// Returns the comparison of the design under the cursor, if available.
+fn candidates(app: &App) -> Option<&compare::ComparisonReport> {
+    if app.pages.limit.cursor.is_none() {
+        return own_comparison(app);
     }
+    of_scene(&app.pages.limit.design, &design(app).ok()?.scene)
+}
 
-    pub fn candidate_lines(&self, width: usize) -> Vec<TextLine> {
-        self.candidates().map_or_else(Vec::new, |report| lines(self, report, width))
-    }
+pub fn candidate_lines(app: &App, width: usize) -> Vec<TextLine> {
+    candidates(app).map_or_else(Vec::new, |report| lines(app, report, width))
 }
 
 /// Returns a comparison of this scene that contains the scene itself.
@@ -56,11 +55,11 @@ const CONTINUATION_INDENT: &str = "  ";
 /// Draws the candidates side by side; scrolled by j and k.
 pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let focused = app.has_focus(CANDIDATES);
-    let of = match app.design() {
+    let of = match design(app) {
         Ok(design) if app.pages.limit.cursor.is_some() => design.label.replace(" = ", " "),
         _ => "this scene".to_owned(),
     };
-    let lines = app.candidate_lines(usize::from(area.width.saturating_sub(2)));
+    let lines = candidate_lines(app, usize::from(area.width.saturating_sub(2)));
     let height = usize::from(area.height.saturating_sub(2));
     let right = match (lines.len() > height, focused) {
         (true, true) => "<down>/<up>: more",

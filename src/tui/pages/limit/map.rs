@@ -21,39 +21,37 @@ const SCENE: char = 'S';
 /// Minimum rows of two slices, one above the other: a title, three rows and an axis each.
 const TWO_SLICES: u16 = 10;
 
-impl App {
-    /// Returns the map, possibly partial, if it belongs to this scene: the scene lies on the axes and differs in their variables only.
-    pub(crate) fn efficiency_map(&self) -> Option<&EfficiencyMap> {
-        let kept = &self.pages.limit.map;
-        let found = kept.result.as_deref()?;
-        let axes = [found.x(), found.y()];
-        let mut own = (*kept.scene).clone();
-        own.sweep.clone_from(&self.scene.sweep);
-        for axis in axes {
-            copy_value(axis, &self.scene, &mut own);
-        }
-        let is_on = |axis: &Axis| {
-            let (low, high) = axis.ends();
-            axis.get(&self.scene).is_some_and(|own| (low..=high).contains(&own))
-        };
-        (own == *self.scene && axes.into_iter().all(is_on)).then_some(found)
+/// Returns the map, possibly partial, if it belongs to this scene: the scene lies on the axes and differs in their variables only.
+pub(crate) fn efficiency_map(app: &App) -> Option<&EfficiencyMap> {
+    let kept = &app.pages.limit.map;
+    let found = kept.result.as_deref()?;
+    let axes = [found.x(), found.y()];
+    let mut own = (*kept.scene).clone();
+    own.sweep.clone_from(&app.scene.sweep);
+    for axis in axes {
+        copy_value(axis, &app.scene, &mut own);
     }
+    let is_on = |axis: &Axis| {
+        let (low, high) = axis.ends();
+        axis.get(&app.scene).is_some_and(|own| (low..=high).contains(&own))
+    };
+    (own == *app.scene && axes.into_iter().all(is_on)).then_some(found)
+}
 
-    /// Returns the point under the cursor; before it is moved, the point nearest to the scene.
-    fn map_point(&self, map: &EfficiencyMap) -> (usize, usize) {
-        let own = |axis: &Axis| axis.get(&self.scene).and_then(|own| nearest(axis, own));
-        let scene = || (own(map.x()).unwrap_or(0), own(map.y()).unwrap_or(0));
-        self.pages.limit.cursor.unwrap_or_else(scene)
-    }
+/// Returns the point under the cursor; before it is moved, the point nearest to the scene.
+fn map_point(app: &App, map: &EfficiencyMap) -> (usize, usize) {
+    let own = |axis: &Axis| axis.get(&app.scene).and_then(|own| nearest(axis, own));
+    let scene = || (own(map.x()).unwrap_or(0), own(map.y()).unwrap_or(0));
+    app.pages.limit.cursor.unwrap_or_else(scene)
+}
 
-    /// Returns the design under the cursor; before it is moved, the scene.
-    pub(crate) fn design(&self) -> Result<LabelledScene, String> {
-        let Some(at) = self.pages.limit.cursor else {
-            return Ok(LabelledScene { scene: (*self.scene).clone(), label: "scene".to_owned() });
-        };
-        let map = self.efficiency_map().ok_or_else(|| old("scene"))?;
-        Ok(placed((*self.scene).clone(), values_at(map, at)))
-    }
+/// Returns the design under the cursor; before it is moved, the scene.
+pub(crate) fn design(app: &App) -> Result<LabelledScene, String> {
+    let Some(at) = app.pages.limit.cursor else {
+        return Ok(LabelledScene { scene: (*app.scene).clone(), label: "scene".to_owned() });
+    };
+    let map = efficiency_map(app).ok_or_else(|| old("scene"))?;
+    Ok(placed((*app.scene).clone(), values_at(map, at)))
 }
 
 /// Returns the axes of the map with their values at a point.
@@ -68,10 +66,10 @@ pub(super) fn has_map(scene: &Scene) -> bool {
 
 /// Moves the cursor by points; the scene is unchanged.
 pub(super) fn move_cursor(app: &mut App, by: (isize, isize)) {
-    let Some(map) = app.efficiency_map() else {
+    let Some(map) = efficiency_map(app) else {
         return app.report_progress(nothing::<EfficiencyMapStudy>(app, BEING_COMPUTED, None));
     };
-    let next = moved(app.map_point(map), by, counts(map));
+    let next = moved(map_point(app, map), by, counts(map));
     app.pages.limit.cursor = Some(next);
 }
 
@@ -81,19 +79,19 @@ fn counts(map: &EfficiencyMap) -> (usize, usize) {
 }
 
 pub(super) fn places(app: &App) -> Vec<(String, String)> {
-    places_of(app, app.efficiency_map().into_iter().flat_map(|map| [map.x(), map.y()]))
+    places_of(app, efficiency_map(app).into_iter().flat_map(|map| [map.x(), map.y()]))
 }
 
 pub(super) fn go_to_place(app: &mut App, text: &str) -> Result<(), String> {
-    let Some(map) = app.efficiency_map() else { return Err(old("scene")) };
+    let Some(map) = efficiency_map(app) else { return Err(old("scene")) };
     let axes = [map.x().clone(), map.y().clone()];
-    app.pages.limit.cursor = Some(place_on(app, &axes, app.map_point(map), text)?);
+    app.pages.limit.cursor = Some(place_on(app, &axes, map_point(app, map), text)?);
     Ok(())
 }
 
 /// Describes the point under the cursor.
 pub(super) fn readout(app: &App) -> Option<String> {
-    let map = app.efficiency_map()?;
+    let map = efficiency_map(app)?;
     let Some(at) = app.pages.limit.cursor else {
         let own = [map.x(), map.y()].map(|axis| {
             let value = axis.get(&app.scene).unwrap_or_default();
@@ -116,7 +114,7 @@ pub(super) fn readout(app: &App) -> Option<String> {
 /// Draws the map, and right of it the slices through its cursor.
 pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let focused = app.has_focus(EFFICIENCY_MAP);
-    let found = app.efficiency_map();
+    let found = efficiency_map(app);
     let Some((found, map)) = found.and_then(|found| Some((found, picture(found)?))) else {
         let inner = PaneFrame::new("Mass efficiency").focused(focused).draw(area, canvas);
         let why = match found {
@@ -137,7 +135,7 @@ pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let has_slices = area.width >= NARROW;
     let (left, right) =
         split_left(area, if has_slices { area.width * 11 / 20 } else { area.width });
-    let at = app.map_point(found);
+    let at = map_point(app, found);
     let column =
         |point: (usize, usize)| column_of(found.x(), point.0).zip(column_of(found.y(), point.1));
     let own = |axis: &Axis| axis.get(&app.scene).and_then(|own| nearest(axis, own));

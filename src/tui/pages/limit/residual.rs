@@ -17,118 +17,116 @@ use cmra_studies::study::monte_carlo;
 /// Columns of a remark's label.
 const LABEL: u16 = 15;
 
-impl App {
-    /// Returns all remarks on the limit, as lines for a pane of this width.
-    fn limit_lines(&self, width: u16) -> Vec<Remark> {
-        let tab = &self.pages.limit;
-        let Some(report) = &tab.report.result else { return Vec::new() };
-        let mut facts = remarks(report);
-        if let Some(spread) = self.v50() {
-            let words = [v50(spread), perforation(spread)].into_iter().flatten();
-            facts.extend(words.map(|text| Remark::new("V50", text)));
-        } else if report.limit.velocity_m_s().is_some() && tab.report.is_complete() {
-            let text = self.keymap.shown("<run>: V50 and its spread, inputs varied by 2 %");
-            facts.push(Remark::new("V50", text));
-        }
-        let room = usize::from(width.saturating_sub(LABEL + 2)).max(10);
-        let mut lines: Vec<Remark> = Vec::new();
-        // There is no room to explain the laws.
-        for mut fact in facts.into_iter().filter(|fact| fact.about != "laws") {
-            for text in wrap(&fact.text, room) {
-                let about = std::mem::take(&mut fact.about);
-                lines.push(Remark { about, text, is_caution: fact.is_caution });
-            }
-        }
-        lines
+/// Returns all remarks on the limit, as lines for a pane of this width.
+fn limit_lines(app: &App, width: u16) -> Vec<Remark> {
+    let tab = &app.pages.limit;
+    let Some(report) = &tab.report.result else { return Vec::new() };
+    let mut facts = remarks(report);
+    if let Some(spread) = spread(app) {
+        let words = [v50(spread), perforation(spread)].into_iter().flatten();
+        facts.extend(words.map(|text| Remark::new("V50", text)));
+    } else if report.limit.velocity_m_s().is_some() && tab.report.is_complete() {
+        let text = app.keymap.shown("<run>: V50 and its spread, inputs varied by 2 %");
+        facts.push(Remark::new("V50", text));
     }
-
-    /// Returns the number of text lines and of visible lines if the text replaces the curve; `None` if curve and text both fit.
-    pub(crate) fn limit_words(&self) -> Option<(usize, usize)> {
-        let area = area(self, self.layout().body?, RESIDUAL)?;
-        let lines = self.limit_lines(area.width).len();
-        // The first row of the body is the limit; a frame takes two rows.
-        let rows = usize::from(area.height).saturating_sub(3);
-        let is_crowded = lines > 0 && rows > 0 && lines + usize::from(CHART_ROWS) > rows;
-        is_crowded.then_some((lines, rows))
-    }
-
-    /// Returns the scene whose limit is requested, with the impact velocity of another scene, because the limit does not depend on it.
-    pub fn limit_scene(&self, other: &Scene) -> Scene {
-        let mut scene = (*self.scene).clone();
-        scene.projectile.velocity_m_s = other.projectile.velocity_m_s;
-        scene
-    }
-
-    /// Returns V50 of the current scene, if it was requested.
-    fn v50(&self) -> Option<&monte_carlo::MonteCarloReport> {
-        let spread = &self.pages.limit.spread;
-        spread.result.as_deref().filter(|_| !spread.is_stale(&self.scene))
-    }
-
-    /// Returns `true` if the requested limit is neither cached nor being computed.
-    pub(crate) fn lacks_limit(&self) -> bool {
-        let tab = &self.pages.limit;
-        match self.jobs.study::<LimitSearch>() {
-            Some((running, _)) => *running.scene != self.limit_scene(&running.scene),
-            None => !tab.report.is_settled(&self.limit_scene(&tab.report.scene)),
+    let room = usize::from(width.saturating_sub(LABEL + 2)).max(10);
+    let mut lines: Vec<Remark> = Vec::new();
+    // There is no room to explain the laws.
+    for mut fact in facts.into_iter().filter(|fact| fact.about != "laws") {
+        for text in wrap(&fact.text, room) {
+            let about = std::mem::take(&mut fact.about);
+            lines.push(Remark { about, text, is_caution: fact.is_caution });
         }
     }
+    lines
+}
 
-    /// Returns `true` if the limit belongs to another scene than the current one.
-    pub fn limit_is_old(&self) -> bool {
-        let report = &self.pages.limit.report;
-        report.is_stale(&self.limit_scene(&report.scene))
-    }
+/// Returns the number of text lines and of visible lines if the text replaces the curve; `None` if curve and text both fit.
+pub(crate) fn limit_words(app: &App) -> Option<(usize, usize)> {
+    let area = area(app, app.layout().body?, RESIDUAL)?;
+    let lines = limit_lines(app, area.width).len();
+    // The first row of the body is the limit; a frame takes two rows.
+    let rows = usize::from(area.height).saturating_sub(3);
+    let is_crowded = lines > 0 && rows > 0 && lines + usize::from(CHART_ROWS) > rows;
+    is_crowded.then_some((lines, rows))
+}
 
-    /// Returns the impact velocity with which the limit is compared: that of its own scene, m/s.
-    pub fn limit_shot_m_s(&self) -> f64 {
-        let own = &self.pages.limit.report.scene;
-        let scene = if self.limit_is_old() { own } else { &self.scene };
-        scene.projectile.velocity_m_s
-    }
+/// Returns the scene whose limit is requested, with the impact velocity of another scene, because the limit does not depend on it.
+pub fn limit_scene(app: &App, other: &Scene) -> Scene {
+    let mut scene = (*app.scene).clone();
+    scene.projectile.velocity_m_s = other.projectile.velocity_m_s;
+    scene
+}
 
-    /// Formats the limit and the margin of its scene in one line of this width.
-    pub fn limit_headline(&self, width: usize) -> Option<String> {
-        let report = self.pages.limit.report.result.as_ref()?;
-        let of = if self.limit_is_old() { " of another scene" } else { "" };
-        let mut scene = Scene::clone(&report.scene);
-        scene.projectile.velocity_m_s = self.limit_shot_m_s();
-        let holds = if taken_to_hold(report).is_some() { " if the mechanism holds" } else { "" };
-        let lines = headlines(&scene, report.limit, holds).into_iter();
-        Some(fitting(lines.map(|line| line + of), width))
-    }
+/// Returns V50 of the current scene, if it was requested.
+fn spread(app: &App) -> Option<&monte_carlo::MonteCarloReport> {
+    let spread = &app.pages.limit.spread;
+    spread.result.as_deref().filter(|_| !spread.is_stale(&app.scene))
+}
 
-    /// Describes the limit.
-    pub fn limit_readout(&self) -> Option<(Severity, String)> {
-        let report = self.pages.limit.report.result.as_ref()?;
-        let mut parts = Vec::new();
-        if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
-            let again = units::velocity(again, 4);
-            parts.push(format!("no single limit: {again} is stopped again"));
-        }
-        parts.extend(report.undecided());
-        parts.extend(report.caution());
-        let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
-        let turn = if self.pages.limit.word == 0 { "<down>: laws" } else { "<first>: curve" };
-        parts.extend(self.limit_words().map(|_| turn.to_owned()));
-        parts.extend(self.v50().and_then(v50).map(|text| format!("V50 {text}")));
-        if parts.is_empty() {
-            return None;
-        }
-        Some((severity, parts.join("; ")))
+/// Returns `true` if the requested limit is neither cached nor being computed.
+pub(crate) fn lacks_limit(app: &App) -> bool {
+    let tab = &app.pages.limit;
+    match app.jobs.study::<LimitSearch>() {
+        Some((running, _)) => *running.scene != limit_scene(app, &running.scene),
+        None => !tab.report.is_settled(&limit_scene(app, &tab.report.scene)),
     }
+}
+
+/// Returns `true` if the limit belongs to another scene than the current one.
+pub fn limit_is_old(app: &App) -> bool {
+    let report = &app.pages.limit.report;
+    report.is_stale(&limit_scene(app, &report.scene))
+}
+
+/// Returns the impact velocity with which the limit is compared: that of its own scene, m/s.
+pub fn limit_shot_m_s(app: &App) -> f64 {
+    let own = &app.pages.limit.report.scene;
+    let scene = if limit_is_old(app) { own } else { &app.scene };
+    scene.projectile.velocity_m_s
+}
+
+/// Formats the limit and the margin of its scene in one line of this width.
+pub fn limit_headline(app: &App, width: usize) -> Option<String> {
+    let report = app.pages.limit.report.result.as_ref()?;
+    let of = if limit_is_old(app) { " of another scene" } else { "" };
+    let mut scene = Scene::clone(&report.scene);
+    scene.projectile.velocity_m_s = limit_shot_m_s(app);
+    let holds = if taken_to_hold(report).is_some() { " if the mechanism holds" } else { "" };
+    let lines = headlines(&scene, report.limit, holds).into_iter();
+    Some(fitting(lines.map(|line| line + of), width))
+}
+
+/// Describes the limit.
+pub fn limit_readout(app: &App) -> Option<(Severity, String)> {
+    let report = app.pages.limit.report.result.as_ref()?;
+    let mut parts = Vec::new();
+    if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
+        let again = units::velocity(again, 4);
+        parts.push(format!("no single limit: {again} is stopped again"));
+    }
+    parts.extend(report.undecided());
+    parts.extend(report.caution());
+    let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
+    let turn = if app.pages.limit.word == 0 { "<down>: laws" } else { "<first>: curve" };
+    parts.extend(limit_words(app).map(|_| turn.to_owned()));
+    parts.extend(spread(app).and_then(v50).map(|text| format!("V50 {text}")));
+    if parts.is_empty() {
+        return None;
+    }
+    Some((severity, parts.join("; ")))
 }
 
 /// Draws the pane of the residual velocity.
 pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     // The line above the pane is empty without a result.
     let room = usize::from(area.width.saturating_sub(2));
-    let Some(head) = app.limit_headline(room) else { return chart(app, area, canvas) };
-    let role = if app.limit_is_old() { Role::Warning } else { Role::Title };
+    let Some(head) = limit_headline(app, room) else { return chart(app, area, canvas) };
+    let role = if limit_is_old(app) { Role::Warning } else { Role::Title };
     canvas.put(area, (1, 0), &head, role);
     let (_, body) = split_top(area, 1);
-    let lines = app.limit_lines(area.width);
-    let crowded = app.limit_words();
+    let lines = limit_lines(app, area.width);
+    let crowded = limit_words(app);
     if let Some((count, shown)) = crowded
         && app.pages.limit.word > 0
     {
@@ -156,7 +154,7 @@ fn write(lines: &[Remark], area: Rect, canvas: &mut Canvas<'_>) {
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
     let found = tab.report.result.as_ref();
-    let drawn = found.and_then(|it| residual(it, app.limit_shot_m_s()));
+    let drawn = found.and_then(|it| residual(it, limit_shot_m_s(app)));
     let Some(mut chart) = drawn else {
         let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
         let inner = frame.draw(area, canvas);
@@ -165,7 +163,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let why = found.map(|_| if tab.report.is_complete() { none } else { cut });
         return canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
     };
-    let old = app.limit_is_old();
+    let old = limit_is_old(app);
     for curve in &mut chart.curves {
         if old {
             curve.emphasis = Emphasis::Stale;

@@ -24,89 +24,87 @@ const KEYS: [&str; 4] = ["method", "run_time_s_to_1e-6", "least_error", "run_tim
 const ANSWER_ROWS: u16 = 1;
 const GAIN_ROWS: (u16, u16) = (3, 6);
 
-impl App {
-    /// Returns the current scene with the tolerance of the measurements, which vary it in any case.
-    pub(crate) fn accuracy_scene(&self) -> Scene {
-        let RunSettings { tolerance, .. } = self.pages.numerics.accuracy.report.scene.run;
-        let run = RunSettings { tolerance, ..self.scene.run };
-        Scene { run, ..Scene::clone(&self.scene) }
-    }
+/// Returns the current scene with the tolerance of the measurements, which vary it in any case.
+pub(crate) fn accuracy_scene(app: &App) -> Scene {
+    let RunSettings { tolerance, .. } = app.pages.numerics.accuracy.report.scene.run;
+    let run = RunSettings { tolerance, ..app.scene.run };
+    Scene { run, ..Scene::clone(&app.scene) }
+}
 
-    pub fn accuracy_status(&self) -> Vec<StatusPart> {
-        let tab = &self.pages.numerics.accuracy;
-        let methods = tab.report.result.iter().flat_map(|report| &report.methods);
-        let count: usize = methods.map(|one| one.points.len()).sum();
-        let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
-        let scene = self.accuracy_scene();
-        let progress = progress::<MethodBenchmark, _>(self, &tab.report, &scene, words, "points");
-        let done = || part(Severity::Note, format!("measured {count} points"));
-        let mut parts = vec![progress.unwrap_or_else(done)];
-        let Some(report) = &tab.report.result else { return parts };
-        if let Some(reference) = report.references.any() {
-            let sure = reference.uncertainty.map(|it| format!(", to {it:.0e}"));
-            let words = reference.basis.label();
-            let text = format!("reference {words}{}", sure.unwrap_or_default());
-            parts.push(part(Severity::Note, text));
-            let ending = match reference.results.get(Compared::Depth) {
-                Some(depth_m) => format!("{} deep", engineering(depth_m, "m", 7)),
-                None => reference.outcome.word().to_owned(),
-            };
-            parts.push(part(Severity::Note, ending));
-        }
-        parts
-    }
-
-    /// Returns the recommended method and its cost, the error of the printed scheme, and the gain of omitting terms.
-    pub(crate) fn accuracy_answers(&self) -> Vec<String> {
-        let tab = &self.pages.numerics.accuracy;
-        let Some(report) = &tab.report.result else { return Vec::new() };
-        if !tab.report.is_complete() && tab.tolerance().is_none() {
-            let counted = self.jobs.running::<MethodBenchmark>().and_then(|it| it.points);
-            let counted = counted.map(|(done, total)| format!(" ({done} of {total})"));
-            let counted = counted.unwrap_or_default();
-            return vec![format!("error {:.0e}: not computed yet{counted}", TARGETS[0])];
-        }
-        let row = |[part, with, without, gain]: [&str; 4]| {
-            format!("{part:<32}{with:>7}{without:>8}  {gain}").trim_end().to_owned()
+pub fn accuracy_status(app: &App) -> Vec<StatusPart> {
+    let tab = &app.pages.numerics.accuracy;
+    let methods = tab.report.result.iter().flat_map(|report| &report.methods);
+    let count: usize = methods.map(|one| one.points.len()).sum();
+    let words = |it: &Running| format!("measuring{}", it.counted("of", " points"));
+    let scene = accuracy_scene(app);
+    let progress = progress::<MethodBenchmark, _>(app, &tab.report, &scene, words, "points");
+    let done = || part(Severity::Note, format!("measured {count} points"));
+    let mut parts = vec![progress.unwrap_or_else(done)];
+    let Some(report) = &tab.report.result else { return parts };
+    if let Some(reference) = report.references.any() {
+        let sure = reference.uncertainty.map(|it| format!(", to {it:.0e}"));
+        let words = reference.basis.label();
+        let text = format!("reference {words}{}", sure.unwrap_or_default());
+        parts.push(part(Severity::Note, text));
+        let ending = match reference.results.get(Compared::Depth) {
+            Some(depth_m) => format!("{} deep", engineering(depth_m, "m", 7)),
+            None => reference.outcome.word().to_owned(),
         };
-        let head = row(["what is left out", "with", "without", "gain"]);
-        let gains = report.savings.iter().map(|it| {
-            let [with, without] = [it.with_s, it.without_s].map(seconds);
-            row([it.part, &with, &without, &gain(it)])
-        });
-        let head = (!report.savings.is_empty()).then_some(head);
-        let gains: Vec<String> = head.into_iter().chain(gains).collect();
-        let printed = printed_scheme(report);
-        std::iter::once(format!("error {}", advice(report))).chain(printed).chain(gains).collect()
+        parts.push(part(Severity::Note, ending));
     }
+    parts
+}
 
-    /// Describes the selected method: its example point, then the rejected points with reasons.
-    pub fn accuracy_details(&self) -> Vec<TextLine> {
-        let tab = &self.pages.numerics.accuracy;
-        let method = tab.method();
-        let mut lines = vec![(format!("{} {}", method.letter(), method.name()), Role::Title)];
-        let mut add = |role, text: String| lines.push((text, role));
-        let Some(report) = tab.method_report(method) else {
-            add(Role::Text, "not measured yet".to_owned());
-            return lines;
-        };
-        if let Some((parameter, it)) = tab.example() {
-            let floor = if it.is_at_floor() { " (floor)" } else { "" };
-            add(Role::Text, format!("{parameter}: error {:.1e}{floor}", it.error()));
-            let errors = it.errors.known();
-            let errors: Vec<String> =
-                errors.map(|(of, error)| format!("{} {error:.0e}", of.label())).collect();
-            add(Role::Text, errors.join(", "));
-        }
-        let total = report.points.len();
-        for (words, points) in report.refusals() {
-            add(Role::Warning, format!("{} of {total}: {words}", points.len()));
-        }
-        if let Some((_, it)) = tab.example() {
-            add(Role::Text, format!("{}, {} steps", seconds(it.min_s), it.answer.steps));
-        }
-        lines
+/// Returns the recommended method and its cost, the error of the printed scheme, and the gain of omitting terms.
+pub(crate) fn accuracy_answers(app: &App) -> Vec<String> {
+    let tab = &app.pages.numerics.accuracy;
+    let Some(report) = &tab.report.result else { return Vec::new() };
+    if !tab.report.is_complete() && tab.tolerance().is_none() {
+        let counted = app.jobs.running::<MethodBenchmark>().and_then(|it| it.points);
+        let counted = counted.map(|(done, total)| format!(" ({done} of {total})"));
+        let counted = counted.unwrap_or_default();
+        return vec![format!("error {:.0e}: not computed yet{counted}", TARGETS[0])];
     }
+    let row = |[part, with, without, gain]: [&str; 4]| {
+        format!("{part:<32}{with:>7}{without:>8}  {gain}").trim_end().to_owned()
+    };
+    let head = row(["what is left out", "with", "without", "gain"]);
+    let gains = report.savings.iter().map(|it| {
+        let [with, without] = [it.with_s, it.without_s].map(seconds);
+        row([it.part, &with, &without, &gain(it)])
+    });
+    let head = (!report.savings.is_empty()).then_some(head);
+    let gains: Vec<String> = head.into_iter().chain(gains).collect();
+    let printed = printed_scheme(report);
+    std::iter::once(format!("error {}", advice(report))).chain(printed).chain(gains).collect()
+}
+
+/// Describes the selected method: its example point, then the rejected points with reasons.
+pub fn accuracy_details(app: &App) -> Vec<TextLine> {
+    let tab = &app.pages.numerics.accuracy;
+    let method = tab.method();
+    let mut lines = vec![(format!("{} {}", method.letter(), method.name()), Role::Title)];
+    let mut add = |role, text: String| lines.push((text, role));
+    let Some(report) = tab.method_report(method) else {
+        add(Role::Text, "not measured yet".to_owned());
+        return lines;
+    };
+    if let Some((parameter, it)) = tab.example() {
+        let floor = if it.is_at_floor() { " (floor)" } else { "" };
+        add(Role::Text, format!("{parameter}: error {:.1e}{floor}", it.error()));
+        let errors = it.errors.known();
+        let errors: Vec<String> =
+            errors.map(|(of, error)| format!("{} {error:.0e}", of.label())).collect();
+        add(Role::Text, errors.join(", "));
+    }
+    let total = report.points.len();
+    for (words, points) in report.refusals() {
+        add(Role::Warning, format!("{} of {total}: {words}", points.len()));
+    }
+    if let Some((_, it)) = tab.example() {
+        add(Role::Text, format!("{}, {} steps", seconds(it.min_s), it.answer.steps));
+    }
+    lines
 }
 
 /// Describes the selected row.
@@ -129,7 +127,7 @@ pub(crate) fn readout(app: &App) -> Option<String> {
 pub(crate) fn enter(app: &mut App) {
     if app
         .jobs
-        .lacks::<MethodBenchmark, _>(&app.pages.numerics.accuracy.report, &app.accuracy_scene())
+        .lacks::<MethodBenchmark, _>(&app.pages.numerics.accuracy.report, &accuracy_scene(app))
     {
         jobs::look(app, jobs::LOOK, MethodBenchmark(ComparisonOptions::FULL));
     }
@@ -147,14 +145,14 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 /// Returns `true` if the selected method can run scenes and its tolerance is known for this scene.
 pub(crate) fn can_use(app: &App) -> bool {
     let tab = &app.pages.numerics.accuracy;
-    tab.usable().is_some() && !tab.report.is_stale(&app.accuracy_scene())
+    tab.usable().is_some() && !tab.report.is_stale(&accuracy_scene(app))
 }
 
 /// Sets the scene's tolerance to the one with which `auto` reaches the first target accuracy.
 fn use_method(app: &mut App) {
     let tab = &app.pages.numerics.accuracy;
     let method = tab.method();
-    if tab.report.is_stale(&app.accuracy_scene()) || tab.report.result.is_none() {
+    if tab.report.is_stale(&accuracy_scene(app)) || tab.report.result.is_none() {
         return app.refuse(nothing::<MethodBenchmark>(app, BEING_COMPUTED, None));
     }
     let mut scene = (*app.scene).clone();
@@ -188,7 +186,7 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
 pub(crate) fn draw(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (answer, rest) = split_top(body, ANSWER_ROWS);
     let room = usize::from(body.width.saturating_sub(2));
-    let mut answers = app.accuracy_answers().into_iter();
+    let mut answers = accuracy_answers(app).into_iter();
     let first = answers.next().unwrap_or_default();
     let below: Vec<String> = answers.flat_map(|line| wrap(&line, room)).collect();
     let lines = u16::try_from(below.len()).unwrap_or(u16::MAX);
@@ -215,7 +213,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = nothing::<MethodBenchmark>(app, "measuring the first points", None);
         return canvas.put_centred(inner, &text);
     };
-    let is_old = tab.report.is_stale(&app.accuracy_scene());
+    let is_old = tab.report.is_stale(&accuracy_scene(app));
     chart.title = if is_old { "Relative error, of another scene" } else { "Relative error" }.into();
     let methods = tab.report.result.iter().flat_map(|report| &report.methods);
     for (report, curve) in methods.zip(&mut chart.curves) {
@@ -245,7 +243,7 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = at.map_or_else(|| method.name().to_owned(), |at| grid.line(Some(at)));
         canvas.put(row, (LETTER, 0), &text, Role::Text);
     });
-    let details = app.accuracy_details().into_iter();
+    let details = accuracy_details(app).into_iter();
     let lines = details.flat_map(|(text, role)| wrapped(&text, inner.width, role));
     let lines: Vec<TextLine> = lines.collect();
     let from = 1 + u16::try_from(count).unwrap_or(u16::MAX);

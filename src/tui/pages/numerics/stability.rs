@@ -30,57 +30,54 @@ fn keys() -> Vec<&'static str> {
     ["scene", "shortfall"].into_iter().chain(HOW_IT_RAN).chain(["reference"]).collect()
 }
 
-impl App {
-    /// Describes the cell at the crosshair.
-    pub fn map_readout(&self) -> Option<String> {
-        let tab = &self.pages.numerics.stability;
-        let (map, (column, row)) = tab.map.result.as_ref().zip(tab.cursor())?;
-        // Use one row of 80 columns, because a second one would move the map.
-        let here = if tab.present() == Some((column, row)) { "the scene: " } else { "" };
-        Some(format!(
-            "{here}dt {} s, {} {}: {}",
-            significant(map.dt_s[column], 2),
-            map.axis.symbol(),
-            significant(map.values[row], 2),
-            map.cell(row, column).words(),
-        ))
-    }
+/// Describes the cell at the crosshair.
+pub fn map_readout(app: &App) -> Option<String> {
+    let tab = &app.pages.numerics.stability;
+    let (map, (column, row)) = tab.map.result.as_ref().zip(tab.cursor())?;
+    // Use one row of 80 columns, because a second one would move the map.
+    let here = if tab.present() == Some((column, row)) { "the scene: " } else { "" };
+    Some(format!(
+        "{here}dt {} s, {} {}: {}",
+        significant(map.dt_s[column], 2),
+        map.axis.symbol(),
+        significant(map.values[row], 2),
+        map.cell(row, column).words(),
+    ))
+}
 
-    pub fn battery_readout(&self) -> Option<(Severity, String)> {
-        let tab = &self.pages.numerics.stability;
-        let row = tab.rows().get(tab.selected)?;
-        let name = &row.case.name;
-        if let Some(shortfall) = row.shortfall {
-            let text = format!("{name}: fails: {}; {}", shortfall.words(), row.run.end.words());
-            return Some((Severity::Error, text));
-        }
-        note(Some(format!("{name}: {}", row.case.why)))
+pub fn battery_readout(app: &App) -> Option<(Severity, String)> {
+    let tab = &app.pages.numerics.stability;
+    let row = tab.rows().get(tab.selected)?;
+    let name = &row.case.name;
+    if let Some(shortfall) = row.shortfall {
+        let text = format!("{name}: fails: {}; {}", shortfall.words(), row.run.end.words());
+        return Some((Severity::Error, text));
     }
+    note(Some(format!("{name}: {}", row.case.why)))
+}
 
-    pub fn stability_status(&self) -> Vec<StatusPart> {
-        let tab = &self.pages.numerics.stability;
-        let mut parts = Vec::new();
-        if self.pane() == STIFF_SCENES {
-            let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
-            let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
-            let severity = if short > 0 { Severity::Warning } else { Severity::Note };
-            let words = |it: &Running| format!("checking the stiff scenes{}", it.counted("of", ""));
-            let running =
-                progress::<StiffScenes, _>(self, &tab.battery, &Scene::default(), words, "");
-            parts.extend(running);
-            if tab.battery.result.is_some() {
-                parts.push(part(severity, holds));
-            }
-            return parts;
+pub fn stability_status(app: &App) -> Vec<StatusPart> {
+    let tab = &app.pages.numerics.stability;
+    let mut parts = Vec::new();
+    if app.pane() == STIFF_SCENES {
+        let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
+        let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
+        let severity = if short > 0 { Severity::Warning } else { Severity::Note };
+        let words = |it: &Running| format!("checking the stiff scenes{}", it.counted("of", ""));
+        let running = progress::<StiffScenes, _>(app, &tab.battery, &Scene::default(), words, "");
+        parts.extend(running);
+        if tab.battery.result.is_some() {
+            parts.push(part(severity, holds));
         }
-        let words = |it: &Running| format!("computing the map{}", it.counted("of", " rows"));
-        let mapping = progress::<StabilityMap, _>(self, &tab.map, &self.scene, words, "rows");
-        parts.extend(mapping);
-        if let Some(map) = &tab.map.result {
-            parts.push(part(Severity::Note, map.method.name().to_owned()));
-        }
-        parts
+        return parts;
     }
+    let words = |it: &Running| format!("computing the map{}", it.counted("of", " rows"));
+    let mapping = progress::<StabilityMap, _>(app, &tab.map, &app.scene, words, "rows");
+    parts.extend(mapping);
+    if let Some(map) = &tab.map.result {
+        parts.push(part(Severity::Note, map.method.name().to_owned()));
+    }
+    parts
 }
 
 /// Stores a result; resets the cursor for a map of another variable.

@@ -59,49 +59,47 @@ pub(crate) fn is_free(run: &Run) -> bool {
     is_known && run.max_plate_displacement_m.is_none()
 }
 
-impl App {
-    /// Returns the end time of a chart, s; the start is the first contact.
-    pub fn end_s(&self, chart: usize) -> f64 {
-        let of = |run: &Run| match self.pages.run.charts.windows[chart] {
-            Window::Contact => contact_window_s(run),
-            Window::Whole => whole_s(run),
-        };
-        let ends = self.visible_runs().into_iter().map(|view| of(view.run));
-        let end_s = ends.filter(|end_s| end_s.is_finite()).fold(0.0, larger);
-        if end_s > 0.0 { end_s } else { 1e-3 }
-    }
+/// Returns the end time of a chart, s; the start is the first contact.
+pub fn end_s(app: &App, chart: usize) -> f64 {
+    let of = |run: &Run| match app.pages.run.charts.windows[chart] {
+        Window::Contact => contact_window_s(run),
+        Window::Whole => whole_s(run),
+    };
+    let ends = app.visible_runs().into_iter().map(|view| of(view.run));
+    let end_s = ends.filter(|end_s| end_s.is_finite()).fold(0.0, larger);
+    if end_s > 0.0 { end_s } else { 1e-3 }
+}
 
-    /// Returns the curves of a chart: for each run the points in view and the next one.
-    pub fn curves(&self, chart: usize) -> Vec<Curve<'_>> {
-        let (quantity, end_s) = (self.pages.run.charts.quantities[chart], self.end_s(chart));
-        let points = |run: &Run| {
-            let seen = run.series.partition_point(|sample| sample.t_s <= end_s) + 1;
-            // Over the displacement the whole path is drawn.
-            let samples = run.series.get(..seen).filter(|_| quantity.is_over_time());
-            let mut points = quantity.points(run, samples.unwrap_or(&run.series));
-            if quantity == Channel::ContactForce && is_held(run) {
-                // After the arrest the curve would show an invisible vibration.
-                points.retain(|point| point.0 <= run.contact_end_s());
-            }
-            if quantity == Channel::PlateDisplacement && is_free(run) {
-                points.extend(run.series.last().map(|last| {
-                    let t_s = whole_s(run);
-                    (t_s, last.plate_displacement_m + last.plate_velocity_m_s * (t_s - last.t_s))
-                }));
-            }
-            if quantity.is_over_time() { thinned(points) } else { points }
-        };
-        let runs = self.visible_runs().into_iter();
-        runs.map(|view| Curve { view, points: points(view.run) }).collect()
-    }
+/// Returns the curves of a chart: for each run the points in view and the next one.
+pub fn curves(app: &App, chart: usize) -> Vec<Curve<'_>> {
+    let (quantity, end_s) = (app.pages.run.charts.quantities[chart], end_s(app, chart));
+    let points = |run: &Run| {
+        let seen = run.series.partition_point(|sample| sample.t_s <= end_s) + 1;
+        // Over the displacement the whole path is drawn.
+        let samples = run.series.get(..seen).filter(|_| quantity.is_over_time());
+        let mut points = quantity.points(run, samples.unwrap_or(&run.series));
+        if quantity == Channel::ContactForce && is_held(run) {
+            // After the arrest the curve would show an invisible vibration.
+            points.retain(|point| point.0 <= run.contact_end_s());
+        }
+        if quantity == Channel::PlateDisplacement && is_free(run) {
+            points.extend(run.series.last().map(|last| {
+                let t_s = whole_s(run);
+                (t_s, last.plate_displacement_m + last.plate_velocity_m_s * (t_s - last.t_s))
+            }));
+        }
+        if quantity.is_over_time() { thinned(points) } else { points }
+    };
+    let runs = app.visible_runs().into_iter();
+    runs.map(|view| Curve { view, points: points(view.run) }).collect()
+}
 
-    /// Moves the crosshair by hundredths of the displayed range, starting in the middle.
-    pub fn move_cursor(&mut self, by: isize) {
-        let end_s = self.end_s(self.pages.run.charts.selected);
-        let moved = |here: f64| (here + by as f64 * STEP * end_s).clamp(0.0, end_s);
-        let cursor_s = &mut self.pages.run.charts.cursor_s;
-        *cursor_s = Some(cursor_s.map_or(0.5 * end_s, moved));
-    }
+/// Moves the crosshair by hundredths of the displayed range, starting in the middle.
+pub fn move_cursor(app: &mut App, by: isize) {
+    let end_s = end_s(app, app.pages.run.charts.selected);
+    let moved = |here: f64| (here + by as f64 * STEP * end_s).clamp(0.0, end_s);
+    let cursor_s = &mut app.pages.run.charts.cursor_s;
+    *cursor_s = Some(cursor_s.map_or(0.5 * end_s, moved));
 }
 
 /// Performs an action on the charts.
@@ -119,7 +117,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
             app.pages.run.charts.quantities[selected] = next;
         }
         _ => match along(action) {
-            Some(by) => app.move_cursor(by),
+            Some(by) => move_cursor(app, by),
             None => return false,
         },
     }
@@ -128,7 +126,7 @@ pub(crate) fn act(app: &mut App, action: Action) -> bool {
 
 /// Parses a time, s, on the axis of the selected chart.
 pub(crate) fn place(app: &App, text: &str) -> Result<Option<f64>, String> {
-    let end_s = app.end_s(app.pages.run.charts.selected);
+    let end_s = end_s(app, app.pages.run.charts.selected);
     let unit = Unit::with_prefix(end_s, "s").name;
     let read = |_: usize, text: &str| {
         let t_s = units::parse(text, Dimension::Time, Bare::In(&unit))?;

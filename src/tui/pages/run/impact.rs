@@ -3,6 +3,7 @@
 
 mod raster;
 
+use crate::tui::pages::run::charts::end_s;
 use std::time::Duration;
 
 use crate::tui::message::Message;
@@ -38,7 +39,7 @@ pub(crate) fn rows(height: u16) -> u16 {
 /// Draws the impact at the time of the crosshair.
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let charts = &app.pages.run.charts;
-    let t_s = app.time_shown_s();
+    let t_s = time_shown_s(app);
     let state = app.shown.as_ref().and_then(|shown| state_at(&shown.run, t_s));
     let Some((shown, state)) = app.shown.as_ref().zip(state) else {
         PaneFrame::new("Impact").focused(focused).draw(area, canvas);
@@ -73,7 +74,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         width: area.width.saturating_sub(2),
         height: inside.height.saturating_sub(lines),
     };
-    let end_s = app.end_s(charts.selected);
+    let end_s = end_s(app, charts.selected);
     let stage = Stage::from_run(run, end_s, raster::dots_of(picture, canvas.theme.glyphs));
     let notes = stage.as_ref().map_or_else(String::new, |stage| stage.notes.join("; "));
     let has_room = title.len() + notes.len() + 10 <= width;
@@ -213,24 +214,22 @@ fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> V
     rows.iter().enumerate().map(line).collect()
 }
 
-impl App {
-    /// Returns the time of the drawing, s: that of the crosshair, or the middle of the selected chart.
-    pub(crate) fn time_shown_s(&self) -> f64 {
-        let charts = &self.pages.run.charts;
-        charts.cursor_s.unwrap_or_else(|| 0.5 * self.end_s(charts.selected))
-    }
+/// Returns the time of the drawing, s: that of the crosshair, or the middle of the selected chart.
+pub(crate) fn time_shown_s(app: &App) -> f64 {
+    let charts = &app.pages.run.charts;
+    charts.cursor_s.unwrap_or_else(|| 0.5 * end_s(app, charts.selected))
+}
 
-    /// Ends the animation; returns whether it was active.
-    pub(crate) fn stop_playing(&mut self) -> bool {
-        std::mem::take(&mut self.pages.run.charts.is_playing)
-    }
+/// Ends the animation; returns whether it was active.
+pub(crate) fn stop_playing(app: &mut App) -> bool {
+    std::mem::take(&mut app.pages.run.charts.is_playing)
 }
 
 /// Starts the animation of the selected chart at its crosshair, or at the start if the crosshair is at the end.
 pub(crate) fn play(app: &mut App) {
     app.focus_on(CHARTS);
     app.pages.run.is_full = true;
-    let end_s = app.end_s(app.pages.run.charts.selected);
+    let end_s = end_s(app, app.pages.run.charts.selected);
     let charts = &mut app.pages.run.charts;
     charts.cursor_s = charts.cursor_s.filter(|t_s| *t_s < end_s).or(Some(0.0));
     charts.is_playing = true;
@@ -245,7 +244,7 @@ pub(crate) fn tick(app: &mut App, serial: u64) {
     if !charts.is_playing || charts.serial != serial {
         return;
     }
-    let end_s = app.end_s(charts.selected);
+    let end_s = end_s(app, charts.selected);
     let next_s = charts.cursor_s.unwrap_or(0.0) + end_s / TICKS;
     let charts = &mut app.pages.run.charts;
     // The sum of the steps equals the end time except for rounding error.

@@ -108,46 +108,44 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     }
 }
 
-impl App {
-    /// Returns the output and the scale of the bars; `None` if labels are shown.
-    pub(crate) fn matters_title(&self) -> Option<String> {
-        let (_, word) = OUTPUTS[self.pages.run.matters.output?];
-        let mut word = word.to_owned();
-        word[..1].make_ascii_uppercase();
-        let report = self.pages.run.matters.report();
-        let scale = report.and_then(|report| Some(report.output.show(report.scale()?, 3)));
-        Some(scale.map_or_else(|| format!("{word} by range"), |top| format!("{word}, 0 to {top}")))
-    }
+/// Returns the output and the scale of the bars; `None` if labels are shown.
+pub(crate) fn matters_title(app: &App) -> Option<String> {
+    let (_, word) = OUTPUTS[app.pages.run.matters.output?];
+    let mut word = word.to_owned();
+    word[..1].make_ascii_uppercase();
+    let report = app.pages.run.matters.report();
+    let scale = report.and_then(|report| Some(report.output.show(report.scale()?, 3)));
+    Some(scale.map_or_else(|| format!("{word} by range"), |top| format!("{word}, 0 to {top}")))
+}
 
-    /// Returns the bar of a variable if bars are shown; empty for a variable that the scene ignores.
-    pub(crate) fn matters_bar(&self, variable: &Variable) -> Option<Bar> {
-        let matters = &self.pages.run.matters;
-        matters.output?;
-        let drawn = || {
-            let report = matters.report()?;
-            let effect = report.effect(variable.symbol)?;
-            let levels = levels(self.settings.theme.glyphs);
-            let own = effect.own_cell(CELLS).filter(|_| *matters.kept.scene == *self.scene);
-            Some(Bar { text: bar(effect, report.scale()?, levels), own })
-        };
-        Some(drawn().unwrap_or(Bar { text: String::new(), own: None }))
-    }
-
-    /// Describes the effect of the selected variable; `None` if unknown.
-    pub(crate) fn matters_words(&self) -> Option<String> {
-        let matters = &self.pages.run.matters;
-        let (_, word) = OUTPUTS[matters.output?];
-        let report = matters.report().filter(|_| *matters.kept.scene == *self.scene)?;
-        let editor = &self.pages.run.editor;
-        let (variable, unit) = (editor.variable(), editor.unit(editor.selected));
+/// Returns the bar of a variable if bars are shown; empty for a variable that the scene ignores.
+pub(crate) fn matters_bar(app: &App, variable: &Variable) -> Option<Bar> {
+    let matters = &app.pages.run.matters;
+    matters.output?;
+    let drawn = || {
+        let report = matters.report()?;
         let effect = report.effect(variable.symbol)?;
-        let in_one = in_unit(1.0, unit, variable.number()?.quantity).unwrap_or(1.0);
-        let text = words(report, effect, word, &Shown { in_one, unit });
-        let computed = effect.computed();
-        Some(if computed < POINTS {
-            format!("{text} ({computed} of {POINTS} points; <run> computes all)")
-        } else {
-            text
-        })
-    }
+        let levels = levels(app.settings.theme.glyphs);
+        let own = effect.own_cell(CELLS).filter(|_| *matters.kept.scene == *app.scene);
+        Some(Bar { text: bar(effect, report.scale()?, levels), own })
+    };
+    Some(drawn().unwrap_or(Bar { text: String::new(), own: None }))
+}
+
+/// Describes the effect of the selected variable; `None` if unknown.
+pub(crate) fn matters_words(app: &App) -> Option<String> {
+    let matters = &app.pages.run.matters;
+    let (_, word) = OUTPUTS[matters.output?];
+    let report = matters.report().filter(|_| *matters.kept.scene == *app.scene)?;
+    let editor = &app.pages.run.editor;
+    let (variable, unit) = (editor.variable(), editor.unit(editor.selected));
+    let effect = report.effect(variable.symbol)?;
+    let in_one = in_unit(1.0, unit, variable.number()?.quantity).unwrap_or(1.0);
+    let text = words(report, effect, word, &Shown { in_one, unit });
+    let computed = effect.computed();
+    Some(if computed < POINTS {
+        format!("{text} ({computed} of {POINTS} points; <run> computes all)")
+    } else {
+        text
+    })
 }

@@ -12,40 +12,38 @@ use cmra_engine::model::variables::{VARIABLES, Value};
 use cmra_studies::report::run::{Compared, comparison};
 use cmra_studies::report::table::Table;
 
-impl App {
-    /// Returns the table that compares the current run with the pinned runs.
-    pub(crate) fn compared_runs(&self) -> Table<'_, Compared<'_>> {
-        let absent = |runs: bool| if runs { "running" } else { "no result" };
-        let now = self.shown.as_ref().map(|shown| &*shown.run);
-        let now = now.ok_or_else(|| absent(self.jobs.current.is_some()));
-        let pins = self.pins.iter().map(move |pin| {
-            (pin.name.clone(), pin.run.as_deref().ok_or_else(|| absent(pin.job.is_some())))
-        });
-        comparison(std::iter::once((self.name_of(&self.scene), now)).chain(pins))
-    }
+/// Returns the table that compares the current run with the pinned runs.
+pub(crate) fn compared_runs(app: &App) -> Table<'_, Compared<'_>> {
+    let absent = |runs: bool| if runs { "running" } else { "no result" };
+    let now = app.shown.as_ref().map(|shown| &*shown.run);
+    let now = now.ok_or_else(|| absent(app.jobs.current.is_some()));
+    let pins = app.pins.iter().map(move |pin| {
+        (pin.name.clone(), pin.run.as_deref().ok_or_else(|| absent(pin.job.is_some())))
+    });
+    comparison(std::iter::once((name_of(app, &app.scene), now)).chain(pins))
+}
 
-    /// Returns the pin selected in the table of runs; `None` for the current run.
-    fn selected_pin(&self) -> Option<&Pin> {
-        self.pins.get(self.pages.run.selected.checked_sub(1)?)
-    }
+/// Returns the pin selected in the table of runs; `None` for the current run.
+fn selected_pin(app: &App) -> Option<&Pin> {
+    app.pins.get(app.pages.run.selected.checked_sub(1)?)
+}
 
-    /// Returns a name for a scene: the preset's if nothing differs, else the differences (`gamma=1 d=0.5`).
-    pub fn name_of(&self, scene: &Scene) -> String {
-        let differing = Self::differing(scene, &self.base.scene);
-        if differing.is_empty() {
-            // Use the file name of a path.
-            return self.base.name.rsplit('/').next().unwrap_or_default().to_owned();
-        }
-        let shown = |index: usize| {
-            let variable = &VARIABLES[index];
-            let value = match variable.value(scene) {
-                Value::Number(number) => shown_number(number, 24),
-                _ => variable.show(scene),
-            };
-            format!("{}={value}", variable.symbol)
+/// Returns a name for a scene: the preset's if nothing differs, else the differences (`gamma=1 d=0.5`).
+pub fn name_of(app: &App, scene: &Scene) -> String {
+    let differing = App::differing(scene, &app.base.scene);
+    if differing.is_empty() {
+        // Use the file name of a path.
+        return app.base.name.rsplit('/').next().unwrap_or_default().to_owned();
+    }
+    let shown = |index: usize| {
+        let variable = &VARIABLES[index];
+        let value = match variable.value(scene) {
+            Value::Number(number) => shown_number(number, 24),
+            _ => variable.show(scene),
         };
-        differing.into_iter().map(shown).collect::<Vec<_>>().join(" ")
-    }
+        format!("{}={value}", variable.symbol)
+    };
+    differing.into_iter().map(shown).collect::<Vec<_>>().join(" ")
 }
 
 /// Columns of marker, letter and a blank before the name.
@@ -61,7 +59,7 @@ pub(crate) fn rows_shown(app: &App, body: Rect) -> u16 {
 
 pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     canvas.pane(area, RUNS);
-    let table = app.compared_runs();
+    let table = compared_runs(app);
     let mut keys = table.keys();
     if area.width < ALL_COLUMNS {
         keys.retain(|key| !matches!(*key, "plastic" | "peak_mount_force_n"));
@@ -97,7 +95,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 
 /// Describes the difference of the current run to the selected pin, else to the first one, and the changed variables.
 pub(crate) fn difference(app: &App) -> Option<String> {
-    let pin = app.selected_pin().or_else(|| app.pins.first())?;
+    let pin = selected_pin(app).or_else(|| app.pins.first())?;
     let depth = |run: &Run| run.final_penetration_m.filter(|_| run.outcome == Outcome::Arrested);
     let pair = app.shown.as_ref().zip(pin.run.as_ref());
     let pair = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));
@@ -125,7 +123,7 @@ pub(crate) fn pin_scene(app: &mut App) {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
         return unpinned(app, &pin);
     }
-    let name = app.name_of(&app.scene);
+    let name = name_of(app, &app.scene);
     let scene = Arc::clone(&app.scene);
     pin(app, name, scene);
 }
@@ -158,7 +156,7 @@ pub(crate) fn pin(app: &mut App, name: String, scene: Arc<Scene>) {
 
 /// Returns the pin selected in the table of runs; reports the reason if there is none.
 fn selected(app: &mut App) -> Option<Pin> {
-    let found = app.selected_pin().cloned();
+    let found = selected_pin(app).cloned();
     if found.is_none() {
         app.report_progress(if app.pins.is_empty() {
             "no run is pinned yet: <mark> pins the current one"
@@ -195,6 +193,6 @@ pub(crate) fn copy(app: &mut App) {
     if app.shown.is_none() {
         return app.refuse("nothing to copy yet: <run> runs the scene");
     }
-    let text = app.compared_runs().csv();
+    let text = compared_runs(app).csv();
     app.request(Effect::Copy(text));
 }

@@ -2,8 +2,10 @@
 
 use crate::tui::pages::page::draw_setup;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::results::{search_is_old, searching};
 use crate::tui::pages::search::state::{RESULTS, SETUP};
 use crate::tui::pages::search::study_page::Words;
+use crate::tui::pages::search::study_page::search_words;
 use crate::tui::widgets::text::first_row;
 
 /// Maximum cells of the gauge of a search without results, and columns for its brackets and the remaining time.
@@ -13,7 +15,7 @@ const GAUGE_WORDS: u16 = 16;
 pub(crate) fn render(app: &App, setup: Rect, results: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(results, RESULTS);
     draw_setup(app, &app.search_form(), SETUP, setup, canvas);
-    let words = app.search_words(usize::from(results.width.saturating_sub(2)));
+    let words = search_words(app, usize::from(results.width.saturating_sub(2)));
     let Some(answer) = app.pages.search.answer() else {
         waiting(app, results, canvas);
         return;
@@ -37,7 +39,7 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let page = app.pages.search.page;
     let inner = frame(app, page.title().to_owned(), "", area).draw(area, canvas);
     let why = app.pages.search.problem().map(|_| "see the message below");
-    let Some(running) = app.searching(page) else {
+    let Some(running) = searching(app, page) else {
         return canvas.put_centred(inner, &app.keymap.shown(why.unwrap_or(NO_RESULTS)));
     };
     let cells = usize::from(inner.width.saturating_sub(GAUGE_WORDS)).min(GAUGE);
@@ -51,7 +53,7 @@ fn waiting(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// Draws the answer and the heading of the table, then as much of the rows and remarks as fits.
 fn text(app: &App, words: &Words, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.search;
-    let old = if app.search_is_old() { ", of another setup" } else { "" };
+    let old = if search_is_old(app) { ", of another setup" } else { "" };
     let title = format!("{}{old}", tab.page.title());
     let focused = app.has_focus(RESULTS);
     let has_choices = tab.choices() > 0;

@@ -5,6 +5,7 @@ use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend};
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
+use crate::tui::pages::search::results::search_is_old;
 use crate::tui::pages::search::results::{axes, place};
 use crate::tui::pages::search::setup::{OBJECTIVES, brief};
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
@@ -149,7 +150,7 @@ impl Answer for FrontReport {
         let axes = axis(brief(measures[across]), across).zip(axis(String::new(), up));
         let Some((x, y)) = axes else { return };
         let title = format!("{} designs: {}", self.designs.len(), brief(measures[up]));
-        let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
+        let title = if search_is_old(app) { format!("{title}, of another setup") } else { title };
         let places = || self.designs.iter().map(|design| place(self, design));
         let selected = places().nth(app.pages.search.selected()).flatten();
         let curves = vec![

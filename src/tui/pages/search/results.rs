@@ -95,38 +95,36 @@ pub(super) fn place(front: &FrontReport, design: &Design) -> Option<(f64, f64)> 
     value(across).zip(value(up))
 }
 
-impl App {
-    /// Returns the active search of a page.
-    pub fn searching(&self, page: Page) -> Option<&Running> {
-        let is_own = |request: &Arc<SearchRequest>| Page::from_request(request) == page;
-        let mut studies = self.jobs.studies.iter();
-        studies.find(|running| SearchRequest::downcast(&running.request).is_some_and(is_own))
-    }
+/// Returns the active search of a page.
+pub fn searching(app: &App, page: Page) -> Option<&Running> {
+    let is_own = |request: &Arc<SearchRequest>| Page::from_request(request) == page;
+    let mut studies = app.jobs.studies.iter();
+    studies.find(|running| SearchRequest::downcast(&running.request).is_some_and(is_own))
+}
 
-    /// Returns `true` if the shown result belongs to another scene or setup. Values of the searched variables are ignored, so that loading
-    /// a design of the results does not make the others stale.
-    pub fn search_is_old(&self) -> bool {
-        let tab = &self.pages.search;
-        let Some((kept, answer)) = tab.shown().zip(tab.answer()) else { return false };
-        let mut scene = (*self.scene).clone();
-        scene.sweep.clone_from(&kept.scene.sweep);
-        for axis in answer.over() {
-            copy_value(axis, &kept.scene, &mut scene);
-        }
-        let request = kept.request.as_ref().and_then(SearchRequest::downcast);
-        let wanted = self.search_request(tab.page).ok();
-        *kept.scene != scene || request.map(|it| &**it) != wanted.as_ref()
+/// Returns `true` if the shown result belongs to another scene or setup. Values of the searched variables are ignored, so that loading
+/// a design of the results does not make the others stale.
+pub fn search_is_old(app: &App) -> bool {
+    let tab = &app.pages.search;
+    let Some((kept, answer)) = tab.shown().zip(tab.answer()) else { return false };
+    let mut scene = (*app.scene).clone();
+    scene.sweep.clone_from(&kept.scene.sweep);
+    for axis in answer.over() {
+        copy_value(axis, &kept.scene, &mut scene);
     }
+    let request = kept.request.as_ref().and_then(SearchRequest::downcast);
+    let wanted = app.search_request(tab.page).ok();
+    *kept.scene != scene || request.map(|it| &**it) != wanted.as_ref()
+}
 
-    /// Returns the design under the cursor as a scene with a label.
-    pub fn search_design(&self) -> Result<LabelledScene, String> {
-        let Some(answer) = self.pages.search.answer() else {
-            let is_running = self.searching(self.pages.search.page).is_some();
-            return Err(self.keymap.shown(if is_running { BEING_COMPUTED } else { NO_RESULTS }));
-        };
-        if self.search_is_old() {
-            return Err(old("setup"));
-        }
-        answer.design(self)
+/// Returns the design under the cursor as a scene with a label.
+pub fn search_design(app: &App) -> Result<LabelledScene, String> {
+    let Some(answer) = app.pages.search.answer() else {
+        let is_running = searching(app, app.pages.search.page).is_some();
+        return Err(app.keymap.shown(if is_running { BEING_COMPUTED } else { NO_RESULTS }));
+    };
+    if search_is_old(app) {
+        return Err(old("setup"));
     }
+    answer.design(app)
 }

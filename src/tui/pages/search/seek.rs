@@ -5,6 +5,7 @@ use crate::tui::chart::{Axis, Chart, Curve, Mark, emphasis};
 use crate::tui::pages::explore::state::placed;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
+use crate::tui::pages::search::results::search_is_old;
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::pages::search::study_page::{Answer, line, note};
 use crate::tui::widgets::axis::Part;
@@ -150,7 +151,7 @@ impl Answer for SeekReport {
         let values = self.scan.iter().filter_map(|point| point.1).chain([self.target]);
         let Some(y) = Axis::fitted("", self.measure.unit(), values) else { return };
         let x = axis_of(&self.axis);
-        let curve = Curve::new('*', "", &points).emphasis(emphasis(app.search_is_old(), false));
+        let curve = Curve::new('*', "", &points).emphasis(emphasis(search_is_old(app), false));
         let selected = self.solutions().nth(app.pages.search.selected());
         let lines = self.solutions().map(|found| Mark::new(found.place.at, ""));
         let goal = format!("goal {}", self.measure.show(self.target, 4));

@@ -116,24 +116,22 @@ impl Words {
     }
 }
 
-impl App {
-    /// Returns the text of the shown result for this width; empty before the first result.
-    pub fn search_words(&self, width: usize) -> Words {
-        let Some(answer) = self.pages.search.answer() else { return Words::default() };
-        let columns = answer.table(self);
-        let rows = columns.first().map_or(0, |column| column.cells.len());
-        let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-        let grid = Grid::new(columns, room, NAME_LEAST);
-        let marked = answer.marked(self);
-        let line = |row: Option<usize>| {
-            let mark = if row.is_some() && row == marked { ">" } else { " " };
-            note(format!("{mark} {}", grid.line(row)).trim_end().to_owned())
-        };
-        let heading = (rows > 0).then(|| (line(None).0, Role::Title));
-        let mut head = broken(answer.answer(self, width), width);
-        head.extend(heading);
-        let mut body: Vec<TextLine> = (0..rows).map(|row| line(Some(row))).collect();
-        body.extend(broken(answer.remarks(self), width));
-        Words { head, body }
-    }
+/// Returns the text of the shown result for this width; empty before the first result.
+pub fn search_words(app: &App, width: usize) -> Words {
+    let Some(answer) = app.pages.search.answer() else { return Words::default() };
+    let columns = answer.table(app);
+    let rows = columns.first().map_or(0, |column| column.cells.len());
+    let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+    let grid = Grid::new(columns, room, NAME_LEAST);
+    let marked = answer.marked(app);
+    let line = |row: Option<usize>| {
+        let mark = if row.is_some() && row == marked { ">" } else { " " };
+        note(format!("{mark} {}", grid.line(row)).trim_end().to_owned())
+    };
+    let heading = (rows > 0).then(|| (line(None).0, Role::Title));
+    let mut head = broken(answer.answer(app, width), width);
+    head.extend(heading);
+    let mut body: Vec<TextLine> = (0..rows).map(|row| line(Some(row))).collect();
+    body.extend(broken(answer.remarks(app), width));
+    Words { head, body }
 }

@@ -7,7 +7,9 @@ use crate::tui::chart::{
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::charts::titles::title;
 use crate::tui::pages::run::charts::{Curve as Data, is_held};
+use crate::tui::pages::run::charts::{curves, end_s};
 use crate::tui::pages::run::impact;
+use crate::tui::pages::run::impact::time_shown_s;
 use crate::tui::pages::run::state::{CHARTS, Charts};
 use crate::tui::widgets::text::clip_words;
 use crate::tui::widgets::value_steps::engineering;
@@ -40,7 +42,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
         impact::render(app, below, focused, canvas);
     }
     let places = places(app, area);
-    let data: Vec<Vec<Data<'_>>> = places.iter().map(|place| app.curves(place.chart)).collect();
+    let data: Vec<Vec<Data<'_>>> = places.iter().map(|place| curves(app, place.chart)).collect();
     let mut charts: Vec<Chart<'_>> =
         places.iter().zip(&data).map(|(place, data)| chart(app, place, data)).collect();
     for (chart, place) in charts.iter_mut().zip(&places) {
@@ -192,7 +194,7 @@ fn chart<'a>(app: &'a App, place: &Place, data: &'a [Data<'a>]) -> Chart<'a> {
     if !quantity.is_over_time() {
         return Chart { frame, ..over_displacement(app, index, title, data, curves.collect()) };
     }
-    let end_s = app.end_s(index);
+    let end_s = end_s(app, index);
     let time = ViewRange::new(0.0, end_s);
     let x = Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s"));
     let marks = app.shown.iter().flat_map(|shown| event_marks(&shown.run, (0.0, end_s)));
@@ -214,7 +216,7 @@ const AXIS_POINTS: u16 = 64;
 fn before_points(app: &App, place: &Place) -> Option<Vec<(f64, f64)>> {
     let quantity = app.pages.run.charts.quantities[place.chart];
     let run = app.run_before().filter(|_| quantity.is_over_time())?;
-    Some(before_values(quantity, run, app.end_s(place.chart), place.area.width / 2))
+    Some(before_values(quantity, run, end_s(app, place.chart), place.area.width / 2))
 }
 
 fn before_values(quantity: Channel, run: &Run, end_s: f64, count: u16) -> Vec<(f64, f64)> {
@@ -225,7 +227,7 @@ fn before_values(quantity: Channel, run: &Run, end_s: f64, count: u16) -> Vec<(f
 
 /// Returns the time of the crosshair, s; always present for an enlarged chart, because the drawing uses it.
 fn crosshair_s(app: &App) -> Option<f64> {
-    if app.is_full() { Some(app.time_shown_s()) } else { app.pages.run.charts.cursor_s }
+    if app.is_full() { Some(time_shown_s(app)) } else { app.pages.run.charts.cursor_s }
 }
 
 /// Returns the levels of the plate's thickness and the stop position.
@@ -245,7 +247,7 @@ fn levels(app: &App, quantity: Channel) -> Vec<Mark<'static>> {
 /// Lists the pins that coincide with the current run in a chart: `A = now`.
 fn alike(app: &App, chart: usize, data: &[Data<'_>]) -> String {
     let quantity = app.pages.run.charts.quantities[chart];
-    let end_s = app.end_s(chart);
+    let end_s = end_s(app, chart);
     let now = data.iter().find(|curve| curve.view.letter.is_none()).map(|curve| curve.view.run);
     let alike = data.iter().filter_map(|curve| {
         let letter = curve.view.letter?;
@@ -309,7 +311,7 @@ fn over_displacement<'a>(
 
 /// Returns a vertical axis that contains all curves.
 fn value_axis(app: &App, data: &[Data<'_>], chart: usize) -> Axis<'static> {
-    let (quantity, end_s) = (app.pages.run.charts.quantities[chart], app.end_s(chart));
+    let (quantity, end_s) = (app.pages.run.charts.quantities[chart], end_s(app, chart));
     let points = data.iter().flat_map(|curve| &curve.points).filter(|point| point.0 <= end_s);
     // Include the values at the end time, because there may be no point just before it.
     let at_end = data.iter().filter_map(|curve| quantity.at(curve.view.run, end_s));
@@ -335,7 +337,7 @@ fn label(view: &RunView<'_>) -> String {
 
 /// Explains the letters of a chart's event lines.
 pub(crate) fn event_words(app: &App, chart: usize) -> String {
-    let end_s = app.end_s(chart);
+    let end_s = end_s(app, chart);
     let run = app.shown.as_ref().map(|shown| &shown.run);
     let events = run.into_iter().flat_map(|run| run.events.iter().enumerate());
     let words: Vec<String> = events

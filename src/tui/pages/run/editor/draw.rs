@@ -4,6 +4,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::editor::{
     ANALYSIS, DESIGN, Editor, EditorRow, is_main, number_in, short_label, shown_in, shown_value,
 };
+use crate::tui::pages::run::matters::{matters_bar, matters_title};
 use crate::tui::pages::run::state::VARIABLES as PANE;
 use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::table::filtered;
@@ -37,7 +38,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let first = first.min(rows.len().saturating_sub(height));
     let title = match (editor.filter.is_empty(), first) {
         (true, _) if app.pages.run.matters.output.is_some() => {
-            app.matters_title().unwrap_or_default()
+            matters_title(app).unwrap_or_default()
         }
         (true, 0) if has_headings => "Design variables".to_owned(),
         (true, _) => "Variables".to_owned(),
@@ -119,7 +120,7 @@ fn variable(app: &App, index: usize, is_outside: bool, line: Rect, canvas: &mut 
         canvas.put(line, (0, 0), ">", Role::Title);
         return open_field(app.pages.run.editor.unit(index), field, line, canvas);
     }
-    let bar = app.matters_bar(variable);
+    let bar = matters_bar(app, variable);
     let bar_from = LABEL.max(end + 1);
     let width = u16::try_from(CELLS).unwrap_or(u16::MAX);
     let end = if bar.is_some() { bar_from + width } else { end };
