@@ -276,7 +276,7 @@ fn errors_of_the_command_line_have_one_line() {
 fn the_program_under_another_name_says_the_same() {
     let place = Place::new();
     let other = place.path("Armour-2");
-    std::os::unix::fs::symlink(assert_cmd::cargo::cargo_bin("cmra"), &other).unwrap();
+    std::os::unix::fs::symlink(env!("CARGO_BIN_EXE_cmra"), &other).unwrap();
     for arguments in
         [&["swep", "cocked", "--over", "k=1,2"][..], &["run", "--nonsense"], &["run", "-h"]]
     {
@@ -284,7 +284,7 @@ fn the_program_under_another_name_says_the_same() {
             let done = std::process::Command::new(program).args(arguments).output().unwrap();
             String::from_utf8([done.stdout, done.stderr].concat()).unwrap()
         };
-        assert_eq!(said(&other), said(&assert_cmd::cargo::cargo_bin("cmra")));
+        assert_eq!(said(&other), said(Path::new(env!("CARGO_BIN_EXE_cmra"))));
     }
 }
 
