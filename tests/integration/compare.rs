@@ -2,21 +2,11 @@
 
 use serde_json::Value;
 
-use crate::support::{cmra, says};
-
-fn output(arguments: &[&str]) -> String {
-    says("compare", arguments, 0).0
-}
-
-fn json(arguments: &[&str]) -> Value {
-    let mut all = vec!["--json"];
-    all.extend(arguments);
-    serde_json::from_str(&output(&all)).unwrap()
-}
+use crate::support::{cmra, json, printed, says};
 
 #[test]
 fn valid_numbers_in_closed_form_are_reproduced() {
-    let found = json(&[]);
+    let found = json("compare", &[]);
     let number = |candidate: &str, key: &str| found["candidates"][candidate][key].as_f64().unwrap();
     for (candidate, depth, limit) in [
         ("rigid_mount", 7.113_055e-3, 232.295_378),
@@ -39,14 +29,14 @@ fn valid_numbers_in_closed_form_are_reproduced() {
 #[test]
 fn one_design_velocity_sizes_and_judges() {
     for v in ["10", "30", "50", "100"] {
-        let found = json(&["--size", "--set", &format!("v_i={v}")]);
+        let found = json("compare", &["--size", "--set", &format!("v_i={v}")]);
         let own = &found["candidates"]["scene"];
         let limit = own["limit_if_spring_survives_m_s"].as_f64().unwrap();
         assert!((limit / v.parse::<f64>().unwrap() - 1.0).abs() < 1e-5, "{v}: {limit}");
         assert_eq!(own["governed_by"], "spring full");
         assert!(own["stored_energy_at_limit_j"].as_f64().unwrap() > 0.0);
         assert!(own["stroke_at_limit_m"].as_f64().unwrap() > 0.0);
-        let scenes = json(&["--set", &format!("v_i={v}")]);
+        let scenes = json("compare", &["--set", &format!("v_i={v}")]);
         let own = &scenes["candidates"]["scene"];
         assert_eq!(own["limit_if_spring_survives_m_s"], own["limit_velocity_m_s"]);
         assert_eq!(scenes["mass_efficiency"], found["mass_efficiency"]);
@@ -55,15 +45,15 @@ fn one_design_velocity_sizes_and_judges() {
 
 #[test]
 fn the_page_begins_with_the_verdict_and_says_how_mass_was_taken() {
-    let page = output(&["--set", "e_spring=20kJ/kg"]);
+    let page = printed("compare", &["--set", "e_spring=20kJ/kg"]);
     let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("{words}: {page}"));
     assert!(at("the mechanism pays") < at("if spring holds, m/s"));
     assert!(at("if spring holds, m/s") < at("stroke, mm"));
     assert!(at("stroke, mm") < at("mount force, kN") && at("mount force, kN") < at("\ndepth, mm"));
     assert!(page.lines().all(|line| line.len() <= 80), "{page}");
     // With the mass of a steel spring the same scene does not pay.
-    assert!(output(&[]).contains("the mechanism does not pay"));
-    let perforated = output(&["--set", "h=3mm", "--set", "v_i=300"]);
+    assert!(printed("compare", &[]).contains("the mechanism does not pay"));
+    let perforated = printed("compare", &["--set", "h=3mm", "--set", "v_i=300"]);
     assert!(perforated.contains("not met: the design shot perforates"), "{perforated}");
     assert!(!perforated.replace("not met", "").contains("met:"), "{perforated}");
 }
@@ -72,7 +62,7 @@ fn the_page_begins_with_the_verdict_and_says_how_mass_was_taken() {
 fn a_limit_beyond_the_range_is_reported_without_a_number() {
     for scene in [&["gamma=0.05"][..], &["gamma=0.00056", "n=1", "interface=plastic"]] {
         let set: Vec<&str> = scene.iter().flat_map(|pair| ["--set", pair]).collect();
-        let page = output(&set);
+        let page = printed("compare", &set);
         assert!(page.contains("beyond 3000"), "{page}");
         assert!(!page.contains("inf") && !page.contains("NaN"), "{page}");
         // No number of more than 1e12.
@@ -88,15 +78,15 @@ fn oblique_limits_come_with_a_caution() {
     let limit = says("limit", &["--json", oblique[0], oblique[1]], 0).0;
     let limit: Value = serde_json::from_str(&limit).unwrap();
     let caution = limit["caution"].as_str().unwrap();
-    assert!(output(&oblique).contains("caution: "), "{}", output(&oblique));
-    assert_eq!(json(&oblique)["caution"].as_str(), Some(caution));
-    assert!(!output(&[]).contains("caution"));
-    assert!(json(&[])["caution"].is_null());
+    assert!(printed("compare", &oblique).contains("caution: "), "{}", printed("compare", &oblique));
+    assert_eq!(json("compare", &oblique)["caution"].as_str(), Some(caution));
+    assert!(!printed("compare", &[]).contains("caution"));
+    assert!(json("compare", &[])["caution"].is_null());
 }
 
 #[test]
 fn candidates_are_rows_and_bad_options_are_refused() {
-    let table = output(&["--csv", "-", "--set", "v_i=400"]);
+    let table = printed("compare", &["--csv", "-", "--set", "v_i=400"]);
     let lines: Vec<&str> = table.lines().collect();
     assert!(lines[0].starts_with("scene,candidate,outcome,verdict,governed_by,mass_efficiency,"));
     let words: Vec<&str> = lines[1..].iter().filter_map(|line| line.split(',').nth(1)).collect();
@@ -116,13 +106,13 @@ fn candidates_are_rows_and_bad_options_are_refused() {
 fn the_map_is_drawn_with_its_line_and_written_as_rows() {
     let map =
         ["--map", "v_i=10..90:21,gamma=0.2..7:11:log", "--set", "dishing=off", "--set", "k=1"];
-    let page = output(&map);
+    let page = printed("compare", &map);
     for words in ["mass efficiency, up: gamma", "line of 1", "scale"] {
         assert!(page.contains(words), "{words}: {page}");
     }
     let mut csv = map.to_vec();
     csv.extend(["--csv", "-"]);
-    let table = output(&csv);
+    let table = printed("compare", &csv);
     let lines: Vec<&str> = table.lines().collect();
     assert_eq!(lines[0], "scene,v_i,gamma,mass_efficiency,no_mass_efficiency,warnings");
     assert_eq!(lines.len(), 1 + 21 * 11);
@@ -139,8 +129,8 @@ fn the_map_is_drawn_with_its_line_and_written_as_rows() {
 #[test]
 fn an_armour_that_pays_only_by_a_massless_damper_says_so() {
     let heavy = ["--set", "k=0", "--set", "b=2000"];
-    assert_eq!(json(&heavy)["mass_not_counted"], serde_json::json!(["damper"]));
-    let page = output(&heavy);
+    assert_eq!(json("compare", &heavy)["mass_not_counted"], serde_json::json!(["damper"]));
+    let page = printed("compare", &heavy);
     assert!(page.contains("the mechanism pays, without the mass of\n  its damper"), "{page}");
     assert!(page.contains("damper: takes up energy, and its mass is not counted"), "{page}");
 }
@@ -148,7 +138,7 @@ fn an_armour_that_pays_only_by_a_massless_damper_says_so() {
 /// Each row of the file has the warnings of its own point: 90 m/s is not below 50 m/s.
 #[test]
 fn a_map_has_the_warnings_of_each_point() {
-    let csv = output(&["--map", "v_i=10..90:2,gamma=1..7:2", "--csv", "-"]);
+    let csv = printed("compare", &["--map", "v_i=10..90:2,gamma=1..7:2", "--csv", "-"]);
     let slow = csv.lines().filter(|line| line.contains("v_i = 10 m/s is below")).count();
     let narrow = csv.lines().filter(|line| line.contains("1.63 D")).count();
     assert_eq!((slow, narrow), (2, 2), "{csv}");
@@ -156,7 +146,7 @@ fn a_map_has_the_warnings_of_each_point() {
 
 #[test]
 fn a_comparison_without_a_least_thickness_gives_the_reason() {
-    let page = output(&["--set", "d=0.1"]);
+    let page = printed("compare", &["--set", "d=0.1"]);
     assert!(
         page.contains("undecided (100.0 m/s): even the thinnest plate within the model's range"),
         "{page}"
@@ -166,29 +156,32 @@ fn a_comparison_without_a_least_thickness_gives_the_reason() {
 /// A preloaded mechanism can push a foil of nanometres away from the shot: no search may offer that as an armour.
 #[test]
 fn an_armour_thinner_than_the_models_range_has_no_mass_efficiency() {
-    let found = json(&[
-        "--set",
-        "gamma=3.688693467536329",
-        "--set",
-        "d=0.057668197886270964",
-        "--set",
-        "b=321.88345213421053",
-        "--set",
-        "k=1288072.3658931719",
-        "--set",
-        "n=1.065450852088438",
-    ]);
+    let found = json(
+        "compare",
+        &[
+            "--set",
+            "gamma=3.688693467536329",
+            "--set",
+            "d=0.057668197886270964",
+            "--set",
+            "b=321.88345213421053",
+            "--set",
+            "k=1288072.3658931719",
+            "--set",
+            "n=1.065450852088438",
+        ],
+    );
     assert!(found["candidates"]["scene"]["mass_efficiency"].is_null(), "{found}");
 }
 
 /// A plate that nothing stops has no mass efficiency: neither in a map nor in the object.
 #[test]
 fn a_plate_that_nothing_stops_has_no_mass_efficiency() {
-    let csv = output(&["--map", "k=0..1e5:2,v_i=100..150:2", "--csv", "-"]);
+    let csv = printed("compare", &["--map", "k=0..1e5:2,v_i=100..150:2", "--csv", "-"]);
     let lines: Vec<&str> = csv.lines().skip(1).collect();
     let empty = |line: &&&str| line.contains(",,nothing stops plate and projectile,");
     assert_eq!((lines.len(), lines.iter().filter(empty).count()), (4, 2), "{csv}");
-    let found = json(&["--set", "k=0"]);
+    let found = json("compare", &["--set", "k=0"]);
     assert!(found["mass_efficiency"].is_null(), "{found}");
     assert_eq!(found["conclusion"], "not met: nothing stops plate and projectile");
 }
@@ -196,17 +189,17 @@ fn a_plate_that_nothing_stops_has_no_mass_efficiency() {
 /// Slow shots are stopped by plates thinner than the model's range: the page says so.
 #[test]
 fn a_sized_armour_thinner_than_the_models_range_is_named() {
-    let page = output(&["--set", "v_i=10"]);
+    let page = printed("compare", &["--set", "v_i=10"]);
     assert!(page.contains("thinner than 0.5 mm"), "{page}");
 }
 
 /// Where the face of the tile is given it is kept: sized plates get lighter with their thickness.
 #[test]
 fn a_given_face_is_kept_when_the_plate_is_sized() {
-    let page = output(&["--set", "face=150mm"]);
+    let page = printed("compare", &["--set", "face=150mm"]);
     let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(flat.contains("mm over a face of 150.0 mm square and"), "{page}");
-    let page = output(&[]);
+    let page = printed("compare", &[]);
     let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
     // 1.34312 mm just stop the shot: classical Runge-Kutta over the travel, apart from this program. m_2 = m_p: (29.5 g / (2710 kg/m³
     // 1.343 mm))^(1/2).
@@ -219,7 +212,10 @@ fn a_mechanism_that_does_not_move_makes_no_difference() {
     for velocity in ["v_i=11", "v_i=15", "v_i=20"] {
         let crush = ["--set", "spring=crush", "--set", "F_crush=50kN", "--set", "m_spring=1e-9"];
         let set = [&crush[..], &["--set", "gamma=6.31", "--set", velocity]].concat();
-        assert_eq!(json(&set)["conclusion"], "the mechanism makes no difference to a solid plate");
+        assert_eq!(
+            json("compare", &set)["conclusion"],
+            "the mechanism makes no difference to a solid plate"
+        );
     }
 }
 
@@ -242,7 +238,7 @@ fn valid_a_crush_absorber_weighs_its_stroke() {
             "--set spring=crush --set F_crush=5kN --set k_crush=10MN/m --set e_spring=19460 --set x_crush={stroke}"
         );
         let words: Vec<&str> = words.split(' ').collect();
-        json(&words)["candidates"]["scene"]["spring_mass_kg"].as_f64().unwrap()
+        json("compare", &words)["candidates"]["scene"]["spring_mass_kg"].as_f64().unwrap()
     };
     for (stroke, metres) in [("20mm", 0.02), ("1000mm", 1.0)] {
         assert!((mass(stroke) / (5e3 * metres / 19460.0) - 1.0).abs() < 1e-12, "{stroke}");

@@ -3,20 +3,12 @@
 use cmra_studies::study::context::{Context, never_cancel};
 use serde_json::Value;
 
-use crate::support::{cmra, says};
-
-fn output(arguments: &[&str]) -> String {
-    says("limit", arguments, 0).0
-}
-
-fn json(arguments: &[&str]) -> Value {
-    serde_json::from_str(&output(&[&["--json"], arguments].concat())).unwrap()
-}
+use crate::support::{cmra, json, printed, says};
 
 #[test]
 fn valid_limits_in_closed_form_come_with_their_margin() {
     for (set, limit) in [(["mount=rigid", "b=0"], 232.295_378), (["k=0", "gamma=1"], 347.708_052)] {
-        let found = json(&["--set", set[0], "--set", set[1]]);
+        let found = json("limit", &["--set", set[0], "--set", set[1]]);
         let number = |key: &str| found[key].as_f64().unwrap();
         assert!((number("limit_velocity_m_s") - limit).abs() < 5e-7, "{found}");
         assert!((number("margin") - (limit / 100.0 - 1.0)).abs() < 1e-8);
@@ -28,35 +20,35 @@ fn valid_limits_in_closed_form_come_with_their_margin() {
 
 #[test]
 fn the_page_has_its_sections_and_reasons_for_missing_ones() {
-    let page = output(&["--set", "v_i=400"]);
+    let page = printed("limit", &["--set", "v_i=400"]);
     for words in
         ["limit velocity  344.328", "400.0 m/s perforates", "Lambert-Jonas", "common velocity"]
     {
         assert!(page.contains(words), "{words}: {page}");
     }
     assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
-    let stopped = output(&["--set", "x_stop=10mm", "--set", "k=1e3"]);
+    let stopped = printed("limit", &["--set", "x_stop=10mm", "--set", "k=1e3"]);
     assert!(stopped.contains("mount force unknown"), "{stopped}");
     assert!(stopped.contains("mechanism       taken to hold"), "{stopped}");
-    let never = output(&["--set", "h=5"]);
+    let never = printed("limit", &["--set", "h=5"]);
     assert!(
         never.contains("limit beyond 3000 m/s: nothing from 1 to 3000 m/s perforates"),
         "{never}"
     );
-    let always = output(&["--set", "S_y=0"]);
+    let always = printed("limit", &["--set", "S_y=0"]);
     assert!(always.contains("no limit: everything"), "{always}");
-    assert!(json(&["--set", "S_y=0"])["limit_velocity_m_s"].is_null());
+    assert!(json("limit", &["--set", "S_y=0"])["limit_velocity_m_s"].is_null());
 }
 
 /// Between the limits by protrusion and by passage the criterion alone decides, whichever command is asked.
 #[test]
 fn the_criterion_is_the_scenes_in_every_command() {
     let plate = ["--set", "mount=rigid", "--set", "h=5mm", "--set"];
-    let by = |word: &str| json(&[&plate[..], &[&format!("criterion={word}")]].concat());
+    let by = |word: &str| json("limit", &[&plate[..], &[&format!("criterion={word}")]].concat());
     let (passage, protrusion) = (by("passage"), by("protrusion"));
     let limit = |found: &Value| found["limit_velocity_m_s"].as_f64().unwrap();
     assert!(limit(&protrusion) < limit(&passage));
-    assert!(output(&[]).contains("complete passage"));
+    assert!(printed("limit", &[]).contains("complete passage"));
     let velocity = format!("v_i={}", 0.5 * (limit(&protrusion) + limit(&passage)));
     for (word, outcome) in [("passage", "arrested"), ("protrusion", "perforated")] {
         let criterion = format!("criterion={word}");
@@ -80,7 +72,7 @@ fn the_criterion_is_the_scenes_in_every_command() {
 
 #[test]
 fn shots_are_rows_and_absent_velocities_empty() {
-    let table = output(&["--csv", "-"]);
+    let table = printed("limit", &["--csv", "-"]);
     let mut lines = table.lines();
     let head = "scene,impact_velocity_m_s,outcome,residual_velocity_m_s,recht_ipson_m_s,lambert_jonas_m_s,limit_velocity_m_s,warnings";
     assert_eq!(lines.next(), Some(head));
@@ -104,16 +96,17 @@ fn valid_an_oblique_limit_says_how_far_it_is_off() {
         assert!((100.0 * error + percent).abs() < 0.1, "{percent} {error}");
     }
     let told = "below measured ones, by 8.6 % at 30 deg on a rigid mount (cmra validate)";
-    let steep = output(&["--set", "theta=60deg"]);
+    let steep = printed("limit", &["--set", "theta=60deg"]);
     assert!(steep.contains("16.1 %"), "{steep}");
     let oblique = ["--set", "theta=30deg"];
-    let words: Vec<String> = output(&oblique).split_whitespace().map(str::to_owned).collect();
+    let words: Vec<String> =
+        printed("limit", &oblique).split_whitespace().map(str::to_owned).collect();
     assert!(words.join(" ").contains(told));
-    assert!(json(&oblique)["caution"].as_str().is_some_and(|text| text.contains(told)));
-    assert!(json(&[])["caution"].is_null());
-    assert!(!output(&[]).contains("oblique"));
+    assert!(json("limit", &oblique)["caution"].as_str().is_some_and(|text| text.contains(told)));
+    assert!(json("limit", &[])["caution"].is_null());
+    assert!(!printed("limit", &[]).contains("oblique"));
     // Without a limit there is no caution.
-    assert!(json(&["--set", "theta=30deg", "--set", "h=5"])["caution"].is_null());
+    assert!(json("limit", &["--set", "theta=30deg", "--set", "h=5"])["caution"].is_null());
 }
 
 /// 3 mm of 6061 on a tile of 100 mm against 1.10 g: 367 to 423 m/s, 2 Y with dishing and cavity expansion without. By the closed
@@ -133,20 +126,20 @@ fn valid_band_between_the_closures() {
         "v_i=438",
     ];
     let set: Vec<&str> = pairs.iter().flat_map(|pair| ["--set", pair]).collect();
-    let found = json(&set);
+    let found = json("limit", &set);
     let number = |key: &str| found["closures"][key].as_f64().unwrap();
     assert!((number("double_yield_dishing_m_s") - 423.351_634).abs() < 5e-6, "{found}");
     assert!((number("cavity_no_dishing_m_s") - 398.920_895).abs() < 5e-6, "{found}");
     assert!((number("cylindrical_no_dishing_m_s") - 366.845_163).abs() < 5e-6, "{found}");
     assert!((found["limit_velocity_m_s"].as_f64().unwrap() - 423.351_634).abs() < 5e-6);
-    let page = output(&set);
+    let page = printed("limit", &set);
     assert!(page.contains("by each rule") && page.contains("366.8 to 423.4 m/s"), "{page}");
     assert!(page.contains("2 Y with dishing (C_d = 0.5) 423.4 m/s"), "{page}");
     assert!(page.contains("spherical cavity without dishing (C_d = 1) 398.9 m/s"), "{page}");
     assert_eq!(found["closures"]["double_yield_drag_coefficient"], 0.5, "{found}");
     assert_eq!(found["closures"]["cavity_drag_coefficient"], 1.0, "{found}");
     // A strength that is given has no such band.
-    assert!(json(&[])["closures"].is_null());
+    assert!(json("limit", &[])["closures"].is_null());
 }
 
 /// The page begins with the limit expected from measurements, and the law's number beside it; a shot without measurements says so.
@@ -155,7 +148,7 @@ fn a_limit_says_what_measurements_let_expect() {
     let pairs = "nose=pointed m_p=5.3g R=3.1242mm h=20mm rho=2700 E=70GPa Y=260MPa UTS=290MPa closure=cylindrical v_i=450";
     let set: Vec<&str> = pairs.split(' ').flat_map(|pair| ["--set", pair]).collect();
     let rigid = [&set[..], &["--set", "mount=rigid"]].concat();
-    let page = output(&rigid);
+    let page = printed("limit", &rigid);
     let flat = page.split_whitespace().collect::<Vec<_>>().join(" ");
     for words in [
         "verdict stops: 450.0 m/s is below the band of measured limits, 457.6 to 534.7 m/s",
@@ -166,21 +159,21 @@ fn a_limit_says_what_measurements_let_expect() {
     ] {
         assert!(flat.contains(words), "{words}: {page}");
     }
-    let found = json(&rigid);
+    let found = json("limit", &rigid);
     assert_eq!((&found["measurements"], &found["papers"]), (&381.into(), &13.into()));
-    let sprung = output(&set);
+    let sprung = printed("limit", &set);
     assert!(
         sprung.contains("verdict         not measured: no measured limit of a spring"),
         "{sprung}"
     );
-    assert!(json(&set)["expected_limit_m_s"].is_null());
+    assert!(json("limit", &set)["expected_limit_m_s"].is_null());
 }
 
 /// Just below the limit of a soft spring projectile and plate go on together, and the spring takes all of their energy,
 /// `m_p` v²/(2 (1 + gamma)); the stroke is v/(1 + gamma) over the frequency.
 #[test]
 fn the_limit_comes_with_stroke_energy_and_mount_force() {
-    let found = json(&["--set", "k=1e3"]);
+    let found = json("limit", &["--set", "k=1e3"]);
     let number = |key: &str| found[key].as_f64().unwrap();
     let limit = number("limit_velocity_m_s");
     let energy = 0.0295 * limit * limit / 4.0;
@@ -188,9 +181,9 @@ fn the_limit_comes_with_stroke_energy_and_mount_force() {
     let stroke = 0.5 * limit * (0.059f64 / 1e3).sqrt();
     assert!((number("stroke_at_limit_m") / stroke - 1.0).abs() < 1e-2);
     assert!((number("peak_mount_force_at_limit_n") / (1e3 * stroke) - 1.0).abs() < 1e-2);
-    let page = output(&["--set", "k=1e3"]);
+    let page = printed("limit", &["--set", "k=1e3"]);
     assert!(page.contains("at the limit") && page.contains("mount force"), "{page}");
-    assert!(output(&["free-plate"]).contains("nothing stops plate"));
+    assert!(printed("limit", &["free-plate"]).contains("nothing stops plate"));
 }
 
 /// Three plates on rigid mounts without dishing and drag take their energies one after the other: v² = 2 S pi R² (h1 + h2 + h3)/m.
@@ -210,12 +203,12 @@ fn stacks_have_limits() {
     let pairs =
         ["dishing=off", "C_d=0", "mount=rigid", "h=3mm", "elements=2", "h_base=3mm", "v_i=60"];
     let set: Vec<&str> = pairs.iter().flat_map(|pair| ["--set", pair]).collect();
-    let found = json(&set);
+    let found = json("limit", &set);
     let volume = std::f64::consts::PI * 0.00635f64.powi(2) * 9e-3;
     let limit = (2.0 * 1.52e8 * volume / 0.0295).sqrt();
     assert!((found["limit_velocity_m_s"].as_f64().unwrap() / limit - 1.0).abs() < 1e-8, "{found}");
     // The preset's own shot of 250 m/s is stopped by the base plate.
-    let preset = json(&["array-stacked"]);
+    let preset = json("limit", &["array-stacked"]);
     assert!(preset["limit_velocity_m_s"].as_f64().unwrap() > 250.0, "{preset}");
 }
 
@@ -227,7 +220,7 @@ fn valid_the_jump_at_one_diameter_is_said() {
             "--threat borvik-hemisphere --material aa6082-t651 --set mount=rigid --set h={h}"
         );
         let words: Vec<&str> = words.split(' ').collect();
-        json(&words)
+        json("limit", &words)
     };
     let limit = |found: &Value| found["limit_velocity_m_s"].as_f64().unwrap();
     for change_m in [0.02, 0.032] {
@@ -249,7 +242,7 @@ fn valid_the_jump_at_one_diameter_is_said() {
         "--set",
         "h=19mm",
     ];
-    let page = output(&words);
+    let page = printed("limit", &words);
     let page: Vec<&str> = page.split_whitespace().collect();
     assert!(page.join(" ").contains("the strength rule changes and the limit jumps from"));
     assert!(at(0.05)["jump_m_s"].is_null());

@@ -3,7 +3,7 @@
 
 use serde_json::Value;
 
-use crate::support::{assert_near, says};
+use crate::support::{assert_near, number, says};
 
 fn sets(changes: &str) -> Vec<String> {
     changes.split_whitespace().flat_map(|set| ["--set".to_owned(), set.to_owned()]).collect()
@@ -19,10 +19,6 @@ fn told(command: &str, changes: &str, more: &[&str], code: i32) -> (String, Stri
 fn json(command: &str, changes: &str, more: &[&str]) -> Value {
     let out = told(command, changes, &[more, &["--json"]].concat(), 0).0;
     serde_json::from_str(&out).unwrap_or_else(|_| panic!("{command} {changes}: {out}"))
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("no number: {value}"))
 }
 
 /// A cylinder of 20 mm on 8 mm of steel, 0.4 of its diameter.

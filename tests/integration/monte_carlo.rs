@@ -4,10 +4,6 @@ use serde_json::Value;
 
 use crate::support::says;
 
-fn out(arguments: &[&str], code: i32) -> (String, String) {
-    says("montecarlo", arguments, code)
-}
-
 /// Velocities uniform about the rigid limit of 232.295378 m/s in closed form: half perforate.
 #[test]
 fn the_probability_of_perforation_is_that_of_the_velocity() {
@@ -19,8 +15,11 @@ fn the_probability_of_perforation_is_that_of_the_velocity() {
         "v_i=uniform:192.295378..272.295378",
         "--json",
     ];
-    let (text, _) =
-        out(&[&asked[..], &["--samples", "3000", "--outputs", "percent_of_baseline"]].concat(), 0);
+    let (text, _) = says(
+        "montecarlo",
+        &[&asked[..], &["--samples", "3000", "--outputs", "percent_of_baseline"]].concat(),
+        0,
+    );
     let found: Value = serde_json::from_str(&text).unwrap();
     let chance = &found["perforation"];
     let at = |key: &str| chance[key].as_f64().unwrap();
@@ -35,17 +34,19 @@ fn the_probability_of_perforation_is_that_of_the_velocity() {
 #[test]
 fn the_page_has_inputs_outcomes_and_quantiles_and_a_seed_fixes_the_digits() {
     let quick = ["--samples", "200"];
-    let (page, _) = out(&quick, 0);
+    let (page, _) = says("montecarlo", &quick, 0);
     for words in ["200 samples, seed 1", "v_i=lognormal:2%", "200 arrested", "confidence: 0 to"] {
         assert!(page.contains(words), "{page} lacks {words}");
     }
     assert!(page.contains("system mass") && page.contains("without values: residual velocity"));
-    assert_eq!(page, out(&[&quick[..], &["--threads", "1"]].concat(), 0).0);
-    assert_ne!(page, out(&[&quick[..], &["--seed", "2"]].concat(), 0).0);
-    let (csv, _) = out(&[&quick[..], &["--csv", "-", "--outputs", "stroke_m"]].concat(), 0);
+    assert_eq!(page, says("montecarlo", &[&quick[..], &["--threads", "1"]].concat(), 0).0);
+    assert_ne!(page, says("montecarlo", &[&quick[..], &["--seed", "2"]].concat(), 0).0);
+    let (csv, _) =
+        says("montecarlo", &[&quick[..], &["--csv", "-", "--outputs", "stroke_m"]].concat(), 0);
     assert!(csv.starts_with("scene,output,nominal,count,mean,"));
     assert_eq!(csv.lines().count(), 2);
-    let (page, _) = out(
+    let (page, _) = says(
+        "montecarlo",
         &["--vary", "h=normal:100%", "--outputs", "final_penetration_m", "--samples", "100"],
         0,
     );
@@ -60,7 +61,7 @@ fn a_limit_velocity_has_the_error_of_the_model() {
     let v50 = |more: &str| {
         let line = format!("{core} --outputs limit_velocity_m_s --samples 60 --json {more}");
         let words: Vec<&str> = line.split_whitespace().collect();
-        serde_json::from_str::<Value>(&out(&words, 0).0).unwrap()
+        serde_json::from_str::<Value>(&says("montecarlo", &words, 0).0).unwrap()
     };
     let found = v50("");
     let number = |it: &Value, key: &str| it[key].as_f64().unwrap();
@@ -73,7 +74,7 @@ fn a_limit_velocity_has_the_error_of_the_model() {
     assert!(number(&both, "deviation") > 1.5 * number(&bare, "deviation"));
     let none = v50("--model-bias 0 --model-spread 0");
     assert_eq!(none["outputs"].as_array().unwrap().len(), 1);
-    let (_, error) = out(&["--model-bias", "-4%"], 2);
+    let (_, error) = says("montecarlo", &["--model-bias", "-4%"], 2);
     assert!(error.contains("add --outputs limit_velocity_m_s"), "{error}");
 }
 
@@ -87,7 +88,7 @@ fn bad_tolerances_are_refused_before_anything_runs() {
         (&["--samples", "1"], "outside 2 to"),
         (&["--outputs", "depth"], "output depth"),
     ] {
-        let (_, error) = out(arguments, 2);
+        let (_, error) = says("montecarlo", arguments, 2);
         assert!(error.contains(told), "{error}");
     }
 }

@@ -4,10 +4,6 @@ use serde_json::Value;
 
 use crate::support::{cmra, says};
 
-fn out(arguments: &[&str], code: i32) -> (String, String) {
-    says("optimise", arguments, code)
-}
-
 const QUICK: [&str; 3] = ["--samples", "512", "--no-feasibility"];
 
 /// The heaviest free plate with a depth of at most 4.568088344392 mm has gamma = 1.
@@ -15,7 +11,7 @@ const QUICK: [&str; 3] = ["--samples", "512", "--no-feasibility"];
 fn a_best_design_under_a_constraint_is_the_closed_form() {
     let asked = ["free-plate", "--over", "gamma=0.8..7", "--maximise", "plate_mass_kg", "--json"];
     let bound = ["--subject-to", "final_penetration_m<=4.568088344392mm"];
-    let (text, _) = out(&[&asked[..], &bound, &QUICK].concat(), 0);
+    let (text, _) = says("optimise", &[&asked[..], &bound, &QUICK].concat(), 0);
     let found: Value = serde_json::from_str(&text).unwrap();
     let designs = found["designs"].as_array().unwrap();
     assert_eq!(designs.len(), 1);
@@ -28,14 +24,14 @@ fn a_front_is_that_of_the_scenes_law_whatever_the_threads() {
     let over = ["--over", "gamma=0.8..7", "--over", "k=1e4..7.5e6:log", "--over", "d=0..0.1"];
     let minimise = ["--minimise", "final_penetration_m,stroke_m"];
     let asked = [&over[..], &minimise, &QUICK].concat();
-    let (page, _) = out(&asked, 0);
+    let (page, _) = says("optimise", &asked, 0);
     assert!(page.contains("interface fused: a front of"), "{page}");
     // Cocked by 0.1 m an interface gives way: beside such a design stands what a plastic one comes to.
     assert!(page.contains("on a plastic interface") && page.contains("plastic: "), "{page}");
-    assert_eq!(page, out(&[&asked[..], &["--threads", "1"]].concat(), 0).0);
-    let plastic = out(&[&asked[..], &["--set", "interface=plastic"]].concat(), 0).0;
+    assert_eq!(page, says("optimise", &[&asked[..], &["--threads", "1"]].concat(), 0).0);
+    let plastic = says("optimise", &[&asked[..], &["--set", "interface=plastic"]].concat(), 0).0;
     assert!(plastic.contains("interface plastic: a front of"), "{plastic}");
-    let (csv, _) = out(&[&asked[..], &["--csv", "-"]].concat(), 0);
+    let (csv, _) = says("optimise", &[&asked[..], &["--csv", "-"]].concat(), 0);
     assert!(csv.starts_with(
         "scene,interface,gamma,k,d,final_penetration_m,stroke_m,outcome,verdict,plastic,warnings\n"
     ));
@@ -57,7 +53,7 @@ fn a_front_is_that_of_the_scenes_law_whatever_the_threads() {
 fn an_objective_that_no_design_has_is_named_with_the_reason() {
     let scene = ["--threat", "m2-ap-core", "--material", "aa6082-t651", "--set", "face=100mm"];
     let task = ["--over", "h=2mm..12mm", "--minimise", "areal_mass_kg_m2"];
-    let (page, _) = out(&[&scene[..], &task, &QUICK].concat(), 1);
+    let (page, _) = says("optimise", &[&scene[..], &task, &QUICK].concat(), 1);
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(page.contains("interface fused: no design ("), "{page}");
     assert!(
@@ -73,7 +69,7 @@ fn a_limit_beside_a_mass_is_that_of_the_plate() {
     let task = ["--set", "k=1e3", "--set", "v_i=20", "--over", "h=10mm..12mm"];
     let effort = ["--samples", "64", "--no-feasibility", "--json"];
     let front = ["--minimise", "areal_mass_kg_m2", "--maximise", "limit_velocity_m_s"];
-    let (text, _) = out(&[&task[..], &front, &effort].concat(), 0);
+    let (text, _) = says("optimise", &[&task[..], &front, &effort].concat(), 0);
     let found: Value = serde_json::from_str(&text).unwrap();
     let designs = found["designs"].as_array().unwrap();
     assert!(designs.iter().all(|it| it["limit_velocity_m_s"].as_f64().unwrap() > 100.0));
@@ -84,7 +80,7 @@ fn a_limit_beside_a_mass_is_that_of_the_plate() {
 fn unsatisfiable_constraints_exit_1_and_bad_requests_are_refused() {
     let over = ["--over", "gamma=0.8..7"];
     let impossible = ["--subject-to", "percent_of_baseline<=1"];
-    let (page, _) = out(&[&over[..], &impossible, &QUICK].concat(), 1);
+    let (page, _) = says("optimise", &[&over[..], &impossible, &QUICK].concat(), 1);
     assert!(page.contains("no design satisfies every constraint"), "{page}");
     for (arguments, told) in [
         (&["--samples", "7"][..], "7 is not in 64.."),
@@ -94,7 +90,7 @@ fn unsatisfiable_constraints_exit_1_and_bad_requests_are_refused() {
         (&["--over", "gamma=2..2"], "both ends are 2"),
         (&["--set", "mount=rigid"], "no variable of Table 9.2"),
     ] {
-        let (_, error) = out(arguments, 2);
+        let (_, error) = says("optimise", arguments, 2);
         assert!(error.contains(told), "{error}");
     }
 }
@@ -103,6 +99,6 @@ fn unsatisfiable_constraints_exit_1_and_bad_requests_are_refused() {
 #[test]
 fn without_a_feasible_design_the_checks_are_named() {
     let over = ["free-plate", "--over", "gamma=0.8..3", "--minimise", "plate_mass_kg"];
-    let (page, _) = out(&[&over[..], &["--samples", "64"]].concat(), 1);
+    let (page, _) = says("optimise", &[&over[..], &["--samples", "64"]].concat(), 1);
     assert!(page.contains("infeasible, of ") && page.contains("plate face"), "{page}");
 }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::says;
+use crate::support::{json, says};
 
 const README: [&str; 14] = [
     "--threat",
@@ -20,10 +20,6 @@ const README: [&str; 14] = [
     "--absorber",
     "steel-coil-1200",
 ];
-
-fn json(command: &str, arguments: &[&str]) -> Value {
-    serde_json::from_str(&says(command, &[arguments, &["--json"]].concat(), 0).0).unwrap()
-}
 
 /// Masses of the spring by both commands follow from the wire's 1200 `MPa`. The mass of `design` is for all energy after the collision; the run leaves a little of it
 /// in the hole.

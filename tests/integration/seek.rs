@@ -4,16 +4,12 @@ use serde_json::Value;
 
 use crate::support::says;
 
-fn out(arguments: &[&str], code: i32) -> (String, String) {
-    says("seek", arguments, code)
-}
-
 /// The free plate: 4.568088344392 mm at gamma = 1.
 #[test]
 fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
     let goal = "final_penetration_m=4.568088344392mm";
     let arguments = ["free-plate", "--over", "gamma=0.8..7", "--goal", goal, "--json"];
-    let answer: Value = serde_json::from_str(&out(&arguments, 0).0).unwrap();
+    let answer: Value = serde_json::from_str(&says("seek", &arguments, 0).0).unwrap();
     let gamma = answer["solutions"][0]["at"].as_f64().unwrap();
     assert!((gamma - 1.0).abs() < 1e-9, "{gamma}");
     assert_eq!(answer["solutions"].as_array().unwrap().len(), 1);
@@ -30,14 +26,14 @@ fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
 #[test]
 fn a_solution_that_no_interface_holds_has_the_plastic_answer_beside_it() {
     let goal = ["--over", "d=0..0.5", "--goal", "percent_of_baseline=50"];
-    let (page, _) = out(&goal, 0);
+    let (page, _) = says("seek", &goal, 0);
     let line = page.lines().find(|line| line.contains("d = 97.9977 mm: 50 %")).unwrap();
     assert!(line.contains("; plastic: ") && page.contains("`--set d=0.0979"), "{page}");
-    let (json, _) = out(&[&goal[..], &["--json"]].concat(), 0);
+    let (json, _) = says("seek", &[&goal[..], &["--json"]].concat(), 0);
     let found: Value = serde_json::from_str(&json).unwrap();
     assert_eq!(found["interface"], "fused");
     assert!(found["solutions"][0]["plastic"].as_str().unwrap().starts_with("plastic: "), "{json}");
-    let (page, _) = out(&[&goal[..], &["--set", "interface=plastic"]].concat(), 1);
+    let (page, _) = says("seek", &[&goal[..], &["--set", "interface=plastic"]].concat(), 1);
     assert!(page.contains("nothing reaches 50 %"), "{page}");
 }
 
@@ -47,7 +43,7 @@ fn a_final_quantity_of_an_undecided_run_is_a_value() {
     let goal = ["--over", "h=26mm..60mm", "--goal", "stroke_m=38.382mm", "--json"];
     let undecided = ["--set", "interface=plastic", "--set", "run.horizon_s=5ms"];
     let goal = [&goal[..], &undecided].concat();
-    let found: Value = serde_json::from_str(&out(&goal, 0).0).unwrap();
+    let found: Value = serde_json::from_str(&says("seek", &goal, 0).0).unwrap();
     let solution = &found["solutions"][0];
     assert_eq!((&solution["outcome"], &found["interface"]), (&"moving".into(), &"plastic".into()));
     let set = format!("h={}", solution["at"]);
@@ -63,14 +59,14 @@ fn a_final_quantity_of_an_undecided_run_is_a_value() {
 fn a_goal_has_the_units_of_its_quantity() {
     let over = ["--over", "gamma=0.5..7", "--json", "--goal"];
     let found = |goal: &str| -> Value {
-        serde_json::from_str(&out(&[&over[..], &[goal]].concat(), 0).0).unwrap()
+        serde_json::from_str(&says("seek", &[&over[..], &[goal]].concat(), 0).0).unwrap()
     };
     let kilojoule = found("stored_energy_j=0.059kJ");
     assert_eq!(kilojoule["solutions"], found("stored_energy_j=59")["solutions"]);
     let gamma = kilojoule["solutions"][0]["at"].as_f64().unwrap();
     assert!((gamma - 1.5).abs() < 0.01, "{kilojoule}");
     let comma = ["--over", "gamma=0.8..7", "--goal", "stroke_m=12,5mm"];
-    let (_, error) = out(&comma, 2);
+    let (_, error) = says("seek", &comma, 2);
     assert!(error.contains("write `12.5mm`"), "{error}");
 }
 
@@ -82,7 +78,7 @@ fn warnings_are_those_of_the_solutions_alone() {
     let goal = |value| ["--goal", value];
     let found = |value, code| -> Value {
         let arguments = [&scene[..], &more, &goal(value)].concat();
-        serde_json::from_str(&out(&arguments, code).0).unwrap()
+        serde_json::from_str(&says("seek", &arguments, code).0).unwrap()
     };
     let warned = found("limit_velocity_m_s=700", 0);
     let h = warned["solutions"][0]["at"].as_f64().unwrap();
@@ -111,11 +107,11 @@ fn warnings_are_those_of_the_solutions_alone() {
 #[test]
 fn an_unreachable_goal_exits_1_and_names_the_nearest_value() {
     let arguments = ["--over", "k=0..7.5MN/m", "--goal", "percent_of_baseline=60"];
-    let (page, _) = out(&arguments, 1);
+    let (page, _) = says("seek", &arguments, 1);
     for fragment in ["nothing reaches 60 %", "nearest: 64.2", "65 points from 0 N/m^n"] {
         assert!(page.contains(fragment), "{page} lacks {fragment}");
     }
-    let (csv, _) = out(&[&arguments[..], &["--csv", "-"]].concat(), 1);
+    let (csv, _) = says("seek", &[&arguments[..], &["--csv", "-"]].concat(), 1);
     assert!(csv.starts_with(
         "scene,kind,variable,key,at,until,output,target,value,outcome,interface,plastic,verdict,\
          expected_limit_m_s,expected_low_m_s,expected_high_m_s,class,measurements,papers,warnings\n"
@@ -140,7 +136,7 @@ fn bad_goals_and_bounds_are_refused_with_the_cure() {
         ),
         (["--over", "gama=0..1", "--goal", "stroke_m=3mm"], &["did you mean `gamma`"]),
     ] {
-        let (_, error) = out(&arguments, 2);
+        let (_, error) = says("seek", &arguments, 2);
         for fragment in fragments {
             assert!(error.contains(fragment), "{error} lacks {fragment}");
         }

@@ -2,15 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{cmra, says};
-
-fn output(arguments: &[&str]) -> String {
-    says("sensitivity", arguments, 0).0
-}
-
-fn object(arguments: &[&str]) -> Value {
-    serde_json::from_str(&output(&[&["--json"], arguments].concat())).unwrap()
-}
+use crate::support::{cmra, json, printed, says};
 
 /// The row of a variable.
 fn row(found: &Value, symbol: &str) -> Value {
@@ -30,7 +22,7 @@ fn depth(pairs: &[&str]) -> f64 {
 /// runs, and the rows lie between the depths given there.
 #[test]
 fn valid_the_effects_on_the_baseline() {
-    let found = object(&[]);
+    let found = json("sensitivity", &[]);
     for (symbol, low, high) in [
         ("gamma", "gamma=0.8", "gamma=7"),
         ("d", "d=0", "d=0.5"),
@@ -74,7 +66,7 @@ fn valid_the_effects_on_the_baseline() {
 #[test]
 fn a_variable_without_effect_has_no_swing() {
     let asked = ["--set", "mount=rigid", "--over", "gamma=1..2", "--over", "v_i=80..120"];
-    let found = object(&asked);
+    let found = json("sensitivity", &asked);
     assert_eq!(row(&found, "gamma")["swing"], 0.0);
     assert_eq!(row(&found, "gamma")["slope"], 0.0);
     assert_eq!(found["variables"][0]["variable"], "v_i", "the greatest comes first");
@@ -83,21 +75,21 @@ fn a_variable_without_effect_has_no_swing() {
 
 #[test]
 fn the_page_has_a_bar_for_each_variable_and_the_ranges_of_the_thesis() {
-    let page = output(&[]);
+    let page = printed("sensitivity", &[]);
     for words in ["final depth", "one variable at a time", "95th percentile", "perforate"] {
         assert!(page.contains(words), "{words}: {page}");
     }
     assert!(page.contains("Table 9.2") && page.contains("--over"), "{page}");
-    assert!(!output(&["--over", "gamma=1..2"]).contains("Table 9.2"));
+    assert!(!printed("sensitivity", &["--over", "gamma=1..2"]).contains("Table 9.2"));
     let line = page.lines().find(|line| line.starts_with("gamma")).expect("a row of gamma");
     for words in ["|", "4.27 to 6.49 mm", "um for +0.1", "0.8 to 7"] {
         assert!(line.contains(words), "{words}: {line}");
     }
     assert!(page.lines().filter(|line| line.matches('|').count() == 2).count() == 12, "{page}");
     assert!(page.lines().all(|line| line.chars().count() <= 80), "{page}");
-    assert!(output(&["--glyphs", "block"]).contains('█') && page.is_ascii());
-    assert_eq!(page, output(&["--threads", "1"]));
-    let table = output(&["--csv", "-"]);
+    assert!(printed("sensitivity", &["--glyphs", "block"]).contains('█') && page.is_ascii());
+    assert_eq!(page, printed("sensitivity", &["--threads", "1"]));
+    let table = printed("sensitivity", &["--csv", "-"]);
     // A heading, five variables of Table 9.2, and seven that are given.
     assert_eq!(table.lines().count(), 13);
     assert!(table.starts_with("scene,output,variable,key,value,low,high,"));

@@ -11,6 +11,7 @@ use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables;
+use serde_json::Value;
 
 /// The default scene with some variables changed: `gamma=2 k=1e5`.
 pub(crate) fn scene(pairs: &str) -> Scene {
@@ -50,6 +51,22 @@ pub(crate) fn says(subcommand: &str, arguments: &[&str], code: i32) -> (String, 
     let (out, error) = (text(output.stdout), text(output.stderr));
     assert_eq!(output.status.code(), Some(code), "{arguments:?}: {out}{error}");
     (out, error)
+}
+
+/// Returns the page of a subcommand that succeeds.
+pub(crate) fn printed(subcommand: &str, arguments: &[&str]) -> String {
+    says(subcommand, arguments, 0).0
+}
+
+/// Returns the JSON of a subcommand that succeeds.
+pub(crate) fn json(subcommand: &str, arguments: &[&str]) -> Value {
+    let text = printed(subcommand, &[&["--json"], arguments].concat());
+    serde_json::from_str(&text).unwrap_or_else(|_| panic!("{arguments:?}: {text}"))
+}
+
+/// Returns a number of a JSON object.
+pub(crate) fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("no number: {value}"))
 }
 
 /// Result of the program: exit code, standard output, standard error.

@@ -4,20 +4,16 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::support::says;
+use crate::support::{json, says};
 
 const SCIPY: &str = "tests/cases/traces/baseline-scipy.csv";
 const YANG_XI: &str = "tests/cases/traces/yang-xi.csv";
-
-fn object(arguments: &[&str]) -> Value {
-    serde_json::from_str(&says("run", &[&["--json"], arguments].concat(), 0).0).unwrap()
-}
 
 /// The histories of another program, by another method: each agrees over the whole time to a part of its peak. The force jumps at the
 /// arrest, where rows of 2 us miss its end.
 #[test]
 fn valid_the_histories_of_another_program() {
-    let found = object(&["--with", SCIPY]);
+    let found = json("run", &["--with", SCIPY]);
     assert_eq!(found["with"]["file"], SCIPY);
     let traces = found["with"]["traces"].as_array().unwrap();
     assert_eq!(traces.len(), 5);
@@ -29,13 +25,13 @@ fn valid_the_histories_of_another_program() {
         assert!(number("greatest_difference").abs() < 5e-3 * size, "{name}");
         assert!((number("computed_end") - number("measured_end")).abs() < 1e-3 * size, "{name}");
     }
-    assert_eq!(object(&[])["with"], Value::Null);
+    assert_eq!(json("run", &[])["with"], Value::Null);
 }
 
 /// The one point of the photographs: 45.40 mm are computed where 42 mm were read.
 #[test]
 fn the_travel_of_yang_and_xi_is_off_by_3_4_mm() {
-    let found = object(&["yang-xi", "--with", YANG_XI]);
+    let found = json("run", &["yang-xi", "--with", YANG_XI]);
     let trace = &found["with"]["traces"][0];
     let mm = |key: &str| 1e3 * trace[key].as_f64().unwrap();
     assert!((mm("measured_peak") - 42.0).abs() < 1e-9);

@@ -1,10 +1,6 @@
 //! Units and bare numbers on the command line.
 
-use crate::support::says;
-
-fn json(arguments: &[&str]) -> serde_json::Value {
-    serde_json::from_str(&says("run", arguments, 0).0).unwrap()
-}
+use crate::support::{json, says};
 
 #[test]
 fn customary_units_give_the_run_of_their_metric_values() {
@@ -12,8 +8,8 @@ fn customary_units_give_the_run_of_their_metric_values() {
     let metric = ["m_p=29.5g", "v_i=100", "h=25.4mm", "S_y=152MPa"];
     let depth = |sets: [&str; 4]| {
         let sets = sets.iter().flat_map(|set| ["--set", set]);
-        let arguments: Vec<&str> = sets.chain(["--json", "--set", "k=1e5"]).collect();
-        json(&arguments)["final_penetration_m"].as_f64().unwrap()
+        let arguments: Vec<&str> = sets.chain(["--set", "k=1e5"]).collect();
+        json("run", &arguments)["final_penetration_m"].as_f64().unwrap()
     };
     let (one, other) = (depth(customary), depth(metric));
     assert!((one / other - 1.0).abs() < 1e-6, "{one} {other}");
@@ -21,7 +17,7 @@ fn customary_units_give_the_run_of_their_metric_values() {
 
 #[test]
 fn an_angle_is_in_degrees_where_its_name_says_so_and_needs_a_unit_elsewhere() {
-    let depth = |set: &str| json(&["--json", "--set", set])["final_penetration_m"].clone();
+    let depth = |set: &str| json("run", &["--set", set])["final_penetration_m"].clone();
     assert_eq!(depth("projectile.obliquity_deg=1"), depth("theta=1deg"));
     let (_, error) = says("run", &["--set", "theta=0.5"], 2);
     assert!(error.contains("`0.5 deg` or `0.5 rad`"), "{error}");

@@ -2,6 +2,8 @@
 
 use serde_json::Value;
 
+use crate::support::number;
+
 /// Whatever a shot needs to be set on the baseline; its impact velocity stands in each.
 pub(crate) const SHOTS: [(&str, &str); 5] = [
     (
@@ -138,10 +140,6 @@ fn designs_and_reports_give_the_same_answer() {
             assert!(html.contains(words), "report: {name}, {mount}");
         }
     }
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or_else(|| panic!("no number: {value}"))
 }
 
 /// Seek and optimise design for the lower end of the band, and what they find is stopped by its own run and by the verdict. By the law alone

@@ -280,13 +280,7 @@ impl Traces {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::run_with;
-    use crate::study::testing::scene;
-    use cmra_engine::model::simulate::Settings;
-
-    fn run() -> Run {
-        run_with(&scene(""), Settings::SERIES).unwrap()
-    }
+    use crate::study::testing::run_of;
 
     fn trace(channel: Channel, points: Vec<(f64, f64)>) -> Trace {
         Trace { heading: "measured".to_owned(), channel, points }
@@ -294,7 +288,7 @@ mod tests {
 
     #[test]
     fn a_run_beside_itself_does_not_differ() {
-        let run = run();
+        let run = run_of("");
         for channel in [Channel::Penetration, Channel::ContactForce, Channel::PlateVelocity] {
             let points = channel.points(&run, &run.series);
             let found = trace(channel, points.clone()).difference(&run).unwrap();
@@ -312,7 +306,7 @@ mod tests {
     /// sqrt(1 + 2 + 4/3) mm and is greatest at the end, 3 mm.
     #[test]
     fn valid_the_differences_of_a_ramp() {
-        let run = run();
+        let run = run_of("");
         let points = Channel::Penetration.points(&run, &run.series);
         let end_s = 1.2e-4;
         let many = 20_001;
@@ -334,7 +328,7 @@ mod tests {
 
     #[test]
     fn rows_after_the_run_do_not_count_and_a_single_point_is_compared() {
-        let run = run();
+        let run = run_of("");
         let last_s = run.series.last().unwrap().t_s;
         let found = trace(Channel::PlateDisplacement, vec![(1e-3, 0.0), (2.0 * last_s, 1.0)]);
         let found = found.difference(&run).unwrap();

@@ -1,8 +1,10 @@
 //! Scenes and axes that several tests need.
 
-use crate::study::changed;
 use crate::study::sweep::{Axis, Spacing};
+use crate::study::{changed, run_with};
+use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::{Mount, Scene};
+use cmra_engine::model::simulate::Settings;
 
 /// The default scene with some variables changed: `gamma=2 k=1e5`.
 pub(crate) fn scene(pairs: &str) -> Scene {
@@ -22,4 +24,14 @@ pub(super) fn axes(list: &[(&str, f64, f64)]) -> Vec<Axis> {
         Axis::new(name, (*low, *high), 2, Spacing::Linear).unwrap()
     };
     list.iter().map(axis).collect()
+}
+
+/// Runs the default scene with some variables changed, with its time series.
+pub(crate) fn run_of(pairs: &str) -> Run {
+    run_with(&scene(pairs), Settings::SERIES).unwrap()
+}
+
+/// Asserts that a value is exact to a relative tolerance.
+pub(super) fn assert_near(value: f64, exact: f64, relative: f64) {
+    assert!((value - exact).abs() <= relative * exact.abs(), "{value} is not {exact}");
 }

@@ -420,9 +420,7 @@ pub fn mode_words(scene: &Scene, mode: ContactMode) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::run_with;
-    use crate::study::testing::scene;
-    use cmra_engine::model::simulate::Settings;
+    use crate::study::testing::run_of;
 
     const DOTS: Dots = Dots { across: 156.0, down: 28.0, aspect: 1.0 };
 
@@ -437,10 +435,6 @@ mod tests {
     fn ends(places: &[Place]) -> (f64, f64) {
         let across = places.iter().map(|place| place.0);
         (across.clone().fold(f64::INFINITY, smaller), across.fold(f64::NEG_INFINITY, larger))
-    }
-
-    fn run_of(text: &str) -> Run {
-        run_with(&scene(text), Settings::SERIES).unwrap()
     }
 
     fn stage(run: &Run, end_s: f64) -> Stage<'_> {

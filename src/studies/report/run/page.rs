@@ -376,12 +376,7 @@ pub fn titled(name: &str, scene: &Scene) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::plain_run;
-    use crate::study::testing::scene;
-
-    fn run_of(pairs: &str) -> Run {
-        plain_run(&scene(pairs)).unwrap()
-    }
+    use crate::study::testing::run_of;
 
     /// Without a spring two bodies of equal mass share the momentum: half the velocity, half the energy.
     #[test]

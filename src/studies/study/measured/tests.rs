@@ -4,13 +4,10 @@ use super::*;
 use crate::study::context::Context;
 use crate::study::context::never_cancel;
 use crate::study::limit;
+use crate::study::testing::assert_near;
 use crate::study::verdict::{Decision, Verdict};
 use cmra_engine::model::scene::{Core, Nose, Scene};
 use cmra_engine::model::variables::changed;
-
-fn near(found: f64, expected: f64, tolerance: f64) {
-    assert!((found - expected).abs() <= tolerance * expected.abs(), "{found} {expected}");
-}
 
 fn scene(pairs: &str) -> Scene {
     changed(Scene::default(), &format!("mount=rigid closure=cylindrical {pairs}")).unwrap()
@@ -80,9 +77,9 @@ fn valid_classes_of_the_built_in_table() {
     for (class, (words, rows, papers, bias, deviation, student)) in known().iter().zip(expected) {
         assert_eq!(class.key.words(), words);
         assert_eq!((class.measurements, class.papers), (rows, papers), "{words}");
-        near(class.bias, bias, 1e-7);
-        near(class.deviation, deviation, 1e-8);
-        near(class.student, student, 1e-9);
+        assert_near(class.bias, bias, 1e-7);
+        assert_near(class.deviation, deviation, 1e-8);
+        assert_near(class.student, student, 1e-9);
     }
 }
 
@@ -93,23 +90,23 @@ fn valid_errors_of_papers_left_out() {
     let all = errors(&rows).pop().unwrap();
     assert_eq!((all.group, all.rows, all.papers), (None, 597, 20));
     assert_eq!((all.banded, all.inside), (541, 493));
-    near(all.mean_absolute_m_s, 40.028_236_302, 1e-8);
-    near(all.rms_m_s, 71.074_120_313, 1e-8);
-    near(all.bias, -0.017_695_781_328, 1e-7);
-    near(all.deviation.unwrap(), 0.073_007_518_731, 1e-8);
+    assert_near(all.mean_absolute_m_s, 40.028_236_302, 1e-8);
+    assert_near(all.rms_m_s, 71.074_120_313, 1e-8);
+    assert_near(all.bias, -0.017_695_781_328, 1e-7);
+    assert_near(all.deviation.unwrap(), 0.073_007_518_731, 1e-8);
     let is_rigid = |row: &&Row| {
         row.measurement.scene.as_ref().is_ok_and(|it| it.projectile.core != Core::Deformable)
     };
     let rigid: Vec<Row> = rows.iter().filter(is_rigid).cloned().collect();
     let rigid = errors(&rigid).pop().unwrap();
-    near(rigid.mean_absolute_m_s, 33.270_424_574, 1e-8);
-    near(rigid.rms_m_s, 46.495_167_007, 1e-8);
+    assert_near(rigid.mean_absolute_m_s, 33.270_424_574, 1e-8);
+    assert_near(rigid.rms_m_s, 46.495_167_007, 1e-8);
     // Rows with a band.
     let banded: Vec<Row> = rows.into_iter().filter(|row| row.is_inside().is_some()).collect();
     let banded = errors(&banded).pop().unwrap();
-    near(banded.mean_absolute_m_s, 30.481_745_643, 1e-8);
-    near(banded.bias, -0.012_181_482_984, 1e-7);
-    near(banded.deviation.unwrap(), 0.049_536_855_143, 1e-8);
+    assert_near(banded.mean_absolute_m_s, 30.481_745_643, 1e-8);
+    assert_near(banded.bias, -0.012_181_482_984, 1e-7);
+    assert_near(banded.deviation.unwrap(), 0.049_536_855_143, 1e-8);
 }
 
 /// Two classes by hand. First: errors 0.1, 0.3 of one paper and 0.4 of another; means 0.2 and 0.4, bias 0.3, sum of squares between papers
@@ -134,16 +131,16 @@ fn variances_are_within_papers_and_between_them() {
     ];
     let classes = classes(&samples);
     assert_eq!(classes.len(), 2);
-    near(classes[0].bias, 0.3, 1e-14);
+    assert_near(classes[0].bias, 0.3, 1e-14);
     for class in &classes {
-        near(class.deviation, 0.04f64.sqrt(), 1e-14);
-        near(class.student, 2.919_985_580_4, 1e-9);
+        assert_near(class.deviation, 0.04f64.sqrt(), 1e-14);
+        assert_near(class.student, 2.919_985_580_4, 1e-9);
     }
     let at = |key| Expectation::at(key, 2.0, 0.0, &classes);
     let [low, expected, high] = at(key).unwrap().band_m_s(500.0);
-    near(expected, 500.0 * (-0.3f64).exp(), 1e-14);
-    near(low * high, expected * expected, 1e-14);
-    near(high / expected, (2.919_985_580_4 * 0.2f64).exp(), 1e-9);
+    assert_near(expected, 500.0 * (-0.3f64).exp(), 1e-14);
+    assert_near(low * high, expected * expected, 1e-14);
+    assert_near(high / expected, (2.919_985_580_4 * 0.2f64).exp(), 1e-9);
     // A single paper is not a class, and neither is another thickness.
     assert_eq!(at(steel), None);
     assert_eq!(Expectation::at(key, 2.1, 0.0, &classes), None);
@@ -165,7 +162,7 @@ fn valid_expectations_between_two_angles() {
         (15.0, 0.75 * normal + 0.25 * oblique),
         (30.0, oblique),
     ] {
-        near(found(theta).unwrap(), bias, 1e-7);
+        assert_near(found(theta).unwrap(), bias, 1e-7);
     }
     assert_eq!(found(30.1), None);
 }
@@ -176,11 +173,11 @@ fn a_class_applies_only_where_its_law_and_its_rows_do() {
     let verdict = |pairs: &str| Verdict::from_scene(&core(&format!("{plate} {pairs}")));
     // 581.574 m/s over exp(0.0109838) = 575.22 m/s; the band is exp(1.649005 x 0.0472327) = 1.08100 wide.
     let found = verdict("v_i=500");
-    near(found.limit_m_s.unwrap(), 581.574_272_8, 1e-9);
+    assert_near(found.limit_m_s.unwrap(), 581.574_272_8, 1e-9);
     let expected = found.expected.unwrap();
-    near(expected.limit_m_s, 575.221_347, 1e-7);
-    near(expected.low_m_s, 532.121_0, 1e-4);
-    near(expected.high_m_s, 621.813_0, 1e-4);
+    assert_near(expected.limit_m_s, 575.221_347, 1e-7);
+    assert_near(expected.low_m_s, 532.121_0, 1e-4);
+    assert_near(expected.high_m_s, 621.813_0, 1e-4);
     assert_eq!(
         (expected.measurements, expected.papers, found.decision),
         (381, 13, Decision::Stops)
@@ -238,9 +235,9 @@ fn rows_are_read_with_the_units_of_their_headings() {
         let rows = read_one(&text).unwrap_or_else(|problem| panic!("{problem}"));
         let rows = evaluate(&rows, &mut Context::new(1, &mut never_cancel));
         let computed = rows[0].computed.as_ref().unwrap_or_else(|why| panic!("{why}: {text}"));
-        near(computed.verdict.limit_m_s.unwrap(), 581.574_272_8, 1e-9);
+        assert_near(computed.verdict.limit_m_s.unwrap(), 581.574_272_8, 1e-9);
         assert_eq!(rows[0].measurement.source, "mine");
-        near(rows[0].limit_error().unwrap(), 575.221_347 / 580.0 - 1.0, 1e-4);
+        assert_near(rows[0].limit_error().unwrap(), 575.221_347 / 580.0 - 1.0, 1e-4);
         assert_eq!(rows[0].is_inside(), Some(true));
     }
 }

@@ -1,5 +1,6 @@
 //! Goals whose answer is known in closed form.
 
+use crate::study::testing::assert_near;
 use std::f64::consts::PI;
 
 use super::*;
@@ -21,10 +22,6 @@ fn on(threads: usize, scene: &Scene, request: &Request) -> Result<SeekReport, St
     run(scene, request, &mut Context::new(threads, &mut never_cancel))
 }
 
-fn close(value: f64, exact: f64, relative: f64) {
-    assert!((value - exact).abs() <= relative * exact.abs(), "{value} is not {exact}");
-}
-
 /// Swept volume for a depth p <= R of a hemisphere under dishing, m³.
 fn volume(scene: &Scene, p: f64) -> f64 {
     let (r, h) = (scene.projectile.tip_radius_m, scene.target.thickness_m);
@@ -42,7 +39,7 @@ fn valid_velocity_for_a_depth_on_a_rigid_mount() {
         let exact = (s / c * exponent.exp_m1()).sqrt();
         let report = found(&scene, &goal("v_i", (5.0, 150.0), "final_penetration_m", depth_m));
         assert_eq!(report.solutions().count(), 1, "{depth_m}");
-        close(report.solutions().next().unwrap().place.at, exact, 1e-9);
+        assert_near(report.solutions().next().unwrap().place.at, exact, 1e-9);
         assert_eq!(
             report.solutions().next().unwrap().outcome,
             Some(PointOutcome::Ended(Outcome::Arrested))
@@ -74,6 +71,6 @@ fn valid_areal_mass_of_a_plate_that_does_not_hold() {
     let scene = crate::study::testing::scene("k=0 v_i=300");
     let report = found(&scene, &goal("h", (1e-3, 5e-3), "areal_mass_kg_m2", 6.0));
     let solution = report.solutions().next().unwrap();
-    close(solution.place.at, 6.0 / 2710.0, 1e-9);
+    assert_near(solution.place.at, 6.0 / 2710.0, 1e-9);
     assert_eq!(solution.outcome, Some(PointOutcome::Ended(Outcome::Perforated)));
 }
