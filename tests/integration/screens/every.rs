@@ -241,3 +241,61 @@ fn no_screen_of_twelve_scenes_is_cut_or_mislabelled() {
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
+
+/// The keys that the footer of a screen shows for its pane, as they are pressed.
+fn offered(screen: &str) -> Vec<String> {
+    let footer = screen.lines().last().unwrap_or_default();
+    let entries = footer.trim().split("  ").filter_map(|entry| entry.trim().split_once(' '));
+    let keys = entries.filter(|(_, what)| *what != "quit").flat_map(|(keys, _)| keys.split('/'));
+    let written = |key: &str| match key {
+        "Space" => " ".to_owned(),
+        "Enter" | "Tab" | "Esc" => format!("<{key}>"),
+        key => key.to_owned(),
+    };
+    keys.filter(|key| !key.is_empty()).map(written).collect()
+}
+
+#[test]
+fn every_key_of_a_footer_does_something() {
+    let (mut found, mut tried) = (Vec::new(), 0);
+    let screens = [
+        "1",
+        "1<Tab>",
+        "1<Tab>z",
+        "1<Tab><Tab>",
+        "2",
+        "2v",
+        "3",
+        "3v",
+        "5",
+        "55",
+        "55<Tab>",
+        "6",
+        "66",
+        "7",
+    ];
+    for keys in screens {
+        let mut bench = Bench::ascii(160, 48);
+        for key in bench::keys_of(keys) {
+            bench.keys(&key);
+            settle(&mut bench, true);
+        }
+        let (pane, is_full) = (bench.app.pane(), bench.app.is_full());
+        for key in offered(&bench.screen()) {
+            bench.press(&key);
+            tried += 1;
+            let message = bench.message();
+            if message.contains("does nothing here") || message.contains("nothing to ") {
+                found.push(format!("{keys}: `{key}`: {message}"));
+            }
+            if bench.app.has_dialog() || bench.app.typing.is_some() {
+                bench.press("<Esc>");
+            }
+            bench.app.focus_on(pane);
+            bench.app.pages.run.is_full = is_full;
+            bench.answer();
+        }
+    }
+    assert!(tried > 60, "{tried} keys");
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}

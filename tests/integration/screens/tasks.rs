@@ -1,17 +1,152 @@
 //! Tasks of a new user at 80 x 24, with the keys they take from the start and without `:`: a text that is typed counts as one key.
 
 use super::accuracy;
-use super::bench::Bench;
+use std::sync::Arc;
+
+use super::bench::{self, Bench};
 use super::{limit, search, sweep};
 use cmra::files::library;
 use cmra::tui::keymap::Tab;
-use cmra::tui::message::{Content, Effect, FileTask};
+use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::explore;
 use cmra::tui::pages::search::results::search_is_old;
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::preset::PresetEntry;
 use cmra_engine::model::scene::PlateSize;
 use cmra_studies::study::accuracy::method::Method;
+
+/// A new user at 80 x 24, who presses only keys that the screen shows.
+struct Newcomer(Bench);
+
+impl Newcomer {
+    fn start() -> Self {
+        let mut bench = Bench::ascii(80, 24);
+        bench.app.first_run = true;
+        Self(bench)
+    }
+
+    /// Whether tabs, messages, status or footer name a key; on the open dialog its own footer does.
+    fn is_shown(&self, key: &str) -> bool {
+        let label = match key {
+            " " => "Space",
+            key => key.trim_matches(['<', '>']),
+        };
+        let screen = self.0.screen();
+        let lines: Vec<&str> = screen.lines().collect();
+        let told = lines[..1].iter().chain(&lines[lines.len() - 4..]);
+        let ends = |letter: char| !letter.is_alphanumeric() && letter != '=' && letter != '.';
+        told.flat_map(|line| line.split(ends)).any(|word| word == label)
+    }
+
+    /// Presses keys that are shown and answers what they request.
+    fn keys(&mut self, keys: &str) -> &mut Self {
+        for key in bench::keys_of(keys) {
+            assert!(self.is_shown(&key), "{key} is not shown on\n{}", self.0.screen());
+            self.0.keys(&key);
+            match self.0.app.tab {
+                Tab::Explore => sweep::answer(&mut self.0),
+                Tab::Limit => limit::answer(&mut self.0),
+                Tab::Numerics => accuracy::answer(&mut self.0, Method::ALL.len()),
+                _ => search::answer(&mut self.0),
+            }
+        }
+        self
+    }
+
+    /// Types into the open field or dialog.
+    fn text(&mut self, text: &str) -> &mut Self {
+        assert!(self.0.app.typing.is_some() || self.0.app.has_dialog(), "{}", self.0.screen());
+        self.0.press(text);
+        self
+    }
+
+    fn sees(&self, words: &[&str]) {
+        let screen = self.0.screen();
+        for word in words {
+            assert!(screen.contains(word), "{word} is not on\n{screen}");
+        }
+    }
+}
+
+#[test]
+fn a_newcomer_finds_depth_and_changes_the_scene() {
+    let mut task = Newcomer::start();
+    task.sees(&["Penetration 4.565 mm", "! validity", "Move j/k"]);
+    task.keys("<Enter>").text("2").keys("<Enter>");
+    assert_eq!(task.0.app.scene.mass_ratio().to_bits(), 2.0_f64.to_bits());
+    task.sees(&["since gamma 1"]);
+    let mut task = Newcomer::start();
+    task.keys("jj<Enter>").text("2MN/m").keys("<Enter>");
+    assert!((task.0.app.scene.mechanism.spring.coefficient - 2e6).abs() < 1e-6);
+    task.sees(&["2 MN/m"]);
+    let mut task = Newcomer::start();
+    task.keys("jjjj<Enter>").text("500").keys("<Enter>");
+    assert!((task.0.app.scene.mechanism.damper.coefficient - 500.0).abs() < 1e-9);
+    let mut task = Newcomer::start();
+    task.keys("j<Enter>").text("50").keys("<Enter>");
+    assert!((task.0.app.scene.plate.cocking_m - 0.05).abs() < 1e-12);
+    task.sees(&["stroke", "interface"]);
+}
+
+#[test]
+fn a_newcomer_finds_figure_9_8_at_n_0_5() {
+    let mut task = Newcomer::start();
+    let found = cmra::files::preset::resolve("figure-9.8", None).unwrap();
+    let (name, mut scene) = (found.name, found.scene);
+    for axis in &mut scene.sweep.as_mut().unwrap().axes {
+        axis.count = 5;
+    }
+    task.0.app.files.presets.push(PresetEntry { name, scene, ..PresetEntry::default() });
+    task.keys("p").text("9.8").keys("<Enter>");
+    let at = |task: &Newcomer| task.0.message().contains(" n 0.5:");
+    for _ in 0..10 {
+        if !at(&task) {
+            task.keys("j");
+        }
+    }
+    assert!(at(&task), "{}", task.0.screen());
+}
+
+#[test]
+fn a_newcomer_exports_saves_and_opens_again() {
+    let mut task = Newcomer::start();
+    task.keys("le<Enter>");
+    assert!(task.0.exported().is_some_and(|(_, text, _)| text.contains("penetration_m")));
+    task.0.press("<Esc>");
+    task.keys("s").text("mine").keys("<Enter>");
+    let scene = Arc::clone(&task.0.app.scene);
+    let saved = task.0.effects.iter().find_map(|effect| match effect {
+        Effect::Files(FileTask::SaveScene { name, scene, .. }) => {
+            Some((name.clone(), scene.clone()))
+        }
+        _ => None,
+    });
+    let (name, saved) = saved.expect("a scene to save");
+    assert_eq!((name.as_str(), &*saved), ("mine", &*scene));
+    let files = ExportOutcome::Written(vec!["/home/ada/mine.toml".into()]);
+    task.0.send(Message::Done(EffectReport::Saved(name.clone(), files)));
+    let entry = PresetEntry { name, scene: *saved, origin: "mine", ..PresetEntry::default() };
+    task.0.send(Message::Done(EffectReport::Presets(vec![entry])));
+    task.keys("hp").text("mine").keys("<Enter>");
+    assert_eq!(task.0.app.scene, scene);
+    task.sees(&["mine"]);
+}
+
+#[test]
+fn a_newcomer_finds_limit_goal_what_matters_error_and_method() {
+    let mut task = Newcomer::start();
+    task.keys("3v");
+    task.sees(&["v_bl ", "m/s"]);
+    let mut task = Newcomer::start();
+    task.keys("4<Enter>").text("50").keys("<Enter>");
+    task.sees(&["50 % at d = "]);
+    let mut task = Newcomer::start();
+    task.keys("v");
+    task.sees(&["gamma 0.8 to 7: depth ", "Depth, 0 to "]);
+    let mut task = Newcomer::start();
+    task.keys("5");
+    task.sees(&["error 1e-6: ", "by auto at tol"]);
+}
 
 /// A bench that counts.
 struct Counted {
