@@ -139,8 +139,9 @@ fn keys_of(app: &App, footer: &str) -> Vec<(String, String)> {
 const GAP: u16 = 2;
 
 /// Most useful keys of all panes, and the last keys of the footer.
-const COMMON: &str =
-    "<palette> find  <next-pane> pane  <presets> presets  <export> export  <undo> undo";
+const COMMON: &str = "<palette> find  <next-pane> pane  <presets> presets  <export> export";
+/// Key that is useful after an edit only.
+const UNDO: &str = "  <undo> undo";
 const LAST: &str = "<help> keys  <quit> quit";
 
 /// Returns the keys of the pane, the most useful first, then those of all panes.
@@ -150,7 +151,8 @@ fn from_table(app: &App) -> Vec<(String, String)> {
     let own = pages::spec(app.pane()).keys.iter().filter(is_shown);
     let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
     let mut entries: Vec<(String, String)> = own.filter(|entry| !entry.0.is_empty()).collect();
-    for entry in keys_of(app, COMMON) {
+    let undo = if app.history.done > 0 { UNDO } else { "" };
+    for entry in keys_of(app, &format!("{COMMON}{undo}")) {
         if !entries.contains(&entry) {
             entries.push(entry);
         }

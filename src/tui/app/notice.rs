@@ -66,15 +66,26 @@ pub(crate) fn outside(checks: impl Iterator<Item = Check>, place: &str) -> Optio
 /// Maximum number of checks at the ends of axes that are named individually.
 const AT_ENDS_NAMED: usize = 3;
 
-/// Returns the status part for validity checks that fail at the ends of axes. Wide axes fail many checks; the Log tab lists all.
-pub(crate) fn outside_at_ends(checks: impl Iterator<Item = Check>) -> Option<StatusPart> {
-    let labels = labels(checks);
-    let text = match labels[..] {
-        [] => return None,
+/// Adds the validity checks that fail at the ends of axes to the status part of those that fail anyway, and names no check twice. Wide axes
+/// fail many checks; the Log tab lists all.
+pub(crate) fn with_ends(
+    validity: Option<StatusPart>,
+    ends: impl Iterator<Item = Check>,
+) -> Option<StatusPart> {
+    let known = validity.as_ref().map_or("", |part| &part.1);
+    let known: Vec<&str> = known.split([':', ',']).map(str::trim).collect();
+    let mut labels = labels(ends);
+    labels.retain(|label| !known.contains(label));
+    let named = match labels[..] {
+        [] => return validity,
         [first, ..] if labels.len() > AT_ENDS_NAMED => {
-            format!("! at the ends: {first}, {} more", labels.len() - 1)
+            format!("{first}, {} more", labels.len() - 1)
         }
-        _ => format!("! validity at the ends: {}", labels.join(", ")),
+        _ => labels.join(", "),
+    };
+    let text = match validity {
+        Some((_, text)) => format!("{text}; at the ends: {named}"),
+        None => format!("! validity at the ends: {named}"),
     };
     Some((Severity::Warning, text))
 }
@@ -121,4 +132,21 @@ pub(crate) fn demand(run: &Run) -> Option<String> {
         RunWarning::HorizonNotReached { .. } => Some("! horizon not reached".to_owned()),
         _ => None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_check_is_named_twice_in_a_status_row() {
+        let checks = [Check::Thickness, Check::Interface];
+        let own = outside([Check::Thickness].into_iter(), "");
+        let [thickness, interface] = checks.map(Check::label);
+        let (_, both) = with_ends(own.clone(), checks.into_iter()).expect("a part");
+        assert_eq!(both, format!("! validity: {thickness}; at the ends: {interface}"));
+        assert_eq!(with_ends(own.clone(), [Check::Thickness].into_iter()), own);
+        let (_, ends) = with_ends(None, checks.into_iter()).expect("a part");
+        assert_eq!(ends, format!("! validity at the ends: {thickness}, {interface}"));
+    }
 }

@@ -75,7 +75,9 @@ fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
         _ => return Vec::new(),
     };
     let mut lines = if app.pane() == run::VARIABLES { variable(app, width) } else { Vec::new() };
-    let words: Vec<TextLine> = wrapped(&words, width, Role::Text).collect();
+    let paragraphs = words.split("\n\n").map(|it| it.replace('\n', " "));
+    let words: Vec<TextLine> =
+        paragraphs.flat_map(|it| wrapped(&it, width, Role::Text).collect::<Vec<_>>()).collect();
     if !is_run || lines.len() + words.len() + 1 + KEY_ROWS < usize::from(height) {
         lines.extend(words);
         lines.push((String::new(), Role::Text));
@@ -86,8 +88,8 @@ fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
 /// Returns the comment of the scene's preset: source and expected result.
 fn comment(app: &App) -> String {
     let entry = app.files.presets.iter().find(|entry| entry.name == app.base.name);
-    let text = entry.map_or_else(String::new, |entry| entry.comment.replace('\n', " "));
-    if text.is_empty() { text } else { format!("{}: {text}", app.base.name) }
+    let text = entry.map_or("", |entry| &*entry.comment);
+    if text.is_empty() { String::new() } else { format!("{}: {text}", app.base.name) }
 }
 
 /// Describes the selected variable: meaning, allowed values, range and source.

@@ -8,7 +8,7 @@ pub mod setup;
 pub mod state;
 
 use crate::files::export;
-use crate::tui::app::notice::outside;
+use crate::tui::app::notice::with_ends;
 use crate::tui::app::show_duration;
 use crate::tui::pages::explore::cursor::no_sweep;
 use crate::tui::pages::explore::cursor::{
@@ -138,8 +138,7 @@ impl Page for ExploreTab {
             parts.extend(at_rest(grid, output).map(|text| part(Severity::Note, text)));
         }
         let ends = found.map(|grid| grid.outside_at_ends.iter().map(|it| it.0));
-        parts.extend(outside(ends.into_iter().flatten(), " at the ends"));
-        parts.extend(app.validity_part());
+        parts.extend(with_ends(app.validity_part(), ends.into_iter().flatten()));
         parts
     }
 

@@ -11,7 +11,7 @@ pub mod state;
 pub mod study_page;
 
 use crate::tui::app::history::Snapshot;
-use crate::tui::app::notice::outside_at_ends;
+use crate::tui::app::notice::with_ends;
 use crate::tui::pages::page::move_by;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs;
@@ -190,10 +190,10 @@ impl Page for SearchTab {
             _ => part(Severity::Note, NO_RESULTS),
         };
         let ends = own.into_iter().flat_map(Answer::outside_at_ends);
-        let ends = outside_at_ends(ends.map(|it| it.0));
         let validity = answer.map_or_else(|| app.validity_part(), |answer| answer.validity(app));
+        let validity = with_ends(validity, ends.map(|it| it.0));
         let effort = own.and_then(Answer::effort).map(|runs| part(Severity::Note, runs));
-        std::iter::once(first).chain(ends).chain(validity).chain(effort).collect()
+        std::iter::once(first).chain(validity).chain(effort).collect()
     }
 
     fn report(&self, app: &mut App, running: &Running, news: &ReportBody) {

@@ -73,7 +73,7 @@ impl Page for ThesisTab {
             // The claims do not depend on the scene.
             (CLAIMS, Action::Run) => jobs::study_of(app, action, &Arc::default(), Claims),
             (CLAIMS, Action::Enter) => {
-                open(app, app.pages.thesis.claim().and_then(|row| row.claim.preset))
+                open(app, app.pages.thesis.claim().and_then(|row| row.claim.preset));
             }
             (PRINCIPLES, Action::Enter) => open(app, Some(principle(app).preset)),
             _ => return false,
@@ -97,6 +97,10 @@ impl Page for ThesisTab {
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         let tab = &app.pages.thesis;
+        // The other pages show what stands in the thesis, without a computation.
+        if app.pane() != CLAIMS {
+            return Vec::new();
+        }
         let mut parts = Vec::new();
         let words = |it: &Running| format!("checking the claims{}", it.counted("of", ""));
         let checking = progress::<Claims, _>(app, &tab.report, &Scene::default(), words, "claims");

@@ -46,7 +46,7 @@ impl App {
         }
         let hint = self
             .keymap
-            .shown("<mark> pins this run to compare, <presets> presets, <export> export");
+            .shown("<mark> pins this run to compare, <save> saves, <export> exports");
         let omitted = &run.omitted;
         let left_out = |count: usize| {
             let more = if count < omitted.len() {
