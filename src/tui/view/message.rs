@@ -44,9 +44,8 @@ impl App {
         if self.first_run {
             return Some(clip(&self.keymap.shown(FIRST_LINE), room));
         }
-        let hint = self
-            .keymap
-            .shown("<mark> pins this run to compare, <save> saves, <export> exports");
+        let hint =
+            self.keymap.shown("<mark> pins this run to compare, <save> saves, <export> exports");
         let omitted = &run.omitted;
         let left_out = |count: usize| {
             let more = if count < omitted.len() {
