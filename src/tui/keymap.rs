@@ -340,7 +340,7 @@ pub struct Command {
     pub call: CommandTarget,
     /// Name, starting with a verb.
     pub name: &'static str,
-    /// What it does, in some words; empty for a page or the key of a pane, which have a text elsewhere.
+    /// Effect, in some words; empty for a page or the key of a pane, which have a text elsewhere.
     pub what: &'static str,
     /// Further words for the search.
     pub synonyms: &'static str,

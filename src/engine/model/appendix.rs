@@ -94,7 +94,7 @@ fn runge_kutta<const N: usize>(
 }
 
 impl Scheme {
-    /// Creates the scheme of a valid scene under one reading of the listing.
+    /// Creates the time-stepping scheme of Appendix A for a valid scene; `listing` says which errors of the printed algorithm are corrected.
     pub fn from_scene(scene: &Scene, listing: Listing) -> Self {
         let geometry = Geometry::from_scene(scene);
         let cos = if listing.corrects_obliquity { geometry.nose.cos } else { 1.0 };

@@ -134,8 +134,8 @@ mod tests {
     use super::*;
     use crate::model::variables::scene_with;
 
-    /// Shots: a fragment of 20 mm on 25.1 mm of AA5059-H131, on 38.7 mm of AA2139-T8, of 12.6 mm on steel, and a rigid cylinder on Weldox
-    /// 460 E.
+    /// Mass, thickness, shear work, slip and force of the plugs of four shots: a 20 mm fragment on 25.1 mm of AA5059-H131 and on 38.7 mm of
+    /// AA2139-T8, a 12.6 mm fragment on steel, and a rigid cylinder on Weldox 460 E.
     #[test]
     fn valid_plugs_of_four_shots() {
         let near = |a: f64, b: f64| (a / b - 1.0).abs() < 2e-6;

@@ -8,8 +8,9 @@ use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::{larger, smaller};
 
-/// Drawn range of the law over the maximum displacement; a yield point within this multiple of the displacement is shown.
+/// Ratio of the drawn range to the maximum displacement, or to the yield point if that is farther and shown.
 const BEYOND: f64 = 1.15;
+/// Multiple of the maximum displacement within which a yield point is shown.
 const YIELD_SHOWN: f64 = 2.5;
 /// Number of points of a drawn law.
 const POINTS: u32 = 400;

@@ -59,7 +59,7 @@ impl Running {
     }
 }
 
-/// Submitted tasks, and the end of the last run.
+/// Submitted tasks: the run of the current scene, and the serial numbers by which outdated messages are recognised.
 #[derive(Clone, Debug, Default)]
 pub struct Jobs {
     /// Last assigned task number.

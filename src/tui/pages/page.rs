@@ -185,7 +185,8 @@ pub(crate) trait Page: Sync {
         self.form(app)?.line()?.quantity.clone()
     }
 
-    /// Returns `true` if a text differs from the row's value. Retyping a dim value, which has no effect, makes it effective.
+    /// Returns `true` if a text differs from the row's value, or the row is dim: a dim value is not in effect, and typing it again puts it
+    /// into effect.
     fn is_new(&self, app: &App, text: &str) -> bool {
         let form = self.form(app);
         let is_dim = form.is_some_and(|form| form.line().is_some_and(|it| it.role == Role::Dim));

@@ -56,7 +56,7 @@ pub(super) struct Recorder {
     pub(super) cost: Cost,
     /// Free oscillation of the plate, in the second computation of an estimate.
     pub(super) oscillation: FreeOscillation,
-    /// What of it the method had damped at the first arrest and at the maximum displacement.
+    /// Amplitude that the method has damped at the first arrest and at the maximum displacement.
     pub(super) left_out: [f64; 2],
 }
 

@@ -50,8 +50,8 @@ fn on_a_rigid_mount_both_laws_are_exact() {
     assert!((fitted.limit_m_s / 232.295_378 - 1.0).abs() < 1e-4, "{fitted:?}");
 }
 
-/// Limits of an independent 80-bit reference. A plate that left its rigid stop within rounding error was caught again at the same instant,
-/// for 15,000 steps, and counted as stopped: 254.24 and 255.59 m/s.
+/// Ballistic limits of an independent 80-bit reference. Rounding errors at a rigid stop once made release and contact repeat at the same
+/// time, which counted as stopped and gave 254.24 and 255.59 m/s.
 #[test]
 fn valid_limits_with_a_rigid_stop_against_the_reference() {
     for (pairs, limit) in [
