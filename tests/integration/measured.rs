@@ -41,6 +41,11 @@ fn a_low_law_never_says_that_a_thin_plate_is_perforated() {
         for absent in ["residual_velocity_m_s", "exit_time_s", "final_penetration_m"] {
             assert!(run[absent].is_null(), "{absent}: {run}");
         }
+        let energy = run["energy_j"].as_object().unwrap();
+        let known: Vec<&str> =
+            energy.iter().filter(|it| !it.1.is_null()).map(|it| it.0.as_str()).collect();
+        assert_eq!(known, ["initial_kinetic", "initial_plate", "initial_spring"], "{run}");
+        assert!(page.contains("at the end not measured"), "{page}");
         let limit = json("limit", &changes, &[]);
         let shots = limit["shots"].as_array().unwrap();
         assert!(shots.iter().all(|shot| shot["outcome"] != "perforated"), "{limit}");

@@ -190,7 +190,11 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     let plastic =
         |run: &Arc<Run>| with_results(json!({ "outcome": run.shot_outcome().word() }), run);
     object["plastic"] = run.plastic.as_ref().map(plastic).into();
-    let energy = ENERGY.iter().map(|(key, _, get)| ((*key).to_owned(), get(&run.ledger).into()));
+    let known = if run.outcome == Outcome::Unmeasured { AT_START } else { ENERGY.len() };
+    let energy = ENERGY.iter().enumerate().map(|(index, (key, _, get))| {
+        let value: Value = (index < known).then(|| get(&run.ledger)).into();
+        ((*key).to_owned(), value)
+    });
     object["energy_j"] = Value::Object(energy.collect());
     let event = |it: &Event| json!({ "time_s": it.t_s, "event": it.kind.words() });
     object["events"] = run.events.iter().map(event).collect();

@@ -135,7 +135,7 @@ fn of_run(lines: &mut Vec<TextLine>, shown: &DisplayedRun, is_stale: bool) {
     let first = of_first(run);
     section(lines, &format!("Events{first}"), plain(events(run)));
     let heading = format!("Energy{first}: where it was at the start, and where it went");
-    section(lines, &heading, plain(energy(&run.ledger)));
+    section(lines, &heading, plain(energy(run)));
     let results = plain([vec![sentence(run)], labelled(results(run))].concat());
     section(lines, &format!("Results{first}"), results);
     let took_s = shown.elapsed.map(|took| took.as_secs_f64());

@@ -11,7 +11,7 @@ use crate::report::verdict;
 use crate::study::quantities;
 use crate::study::stack;
 use cmra_engine::model::mechanism::Mechanism;
-use cmra_engine::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, envelope};
+use cmra_engine::model::run::{EstimateBasis, Event, Outcome, Run, envelope};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{self, engineering, fixed_significant};
 
@@ -253,8 +253,10 @@ pub fn events_in_brief(run: &Run) -> Vec<String> {
     lines
 }
 
-/// Lists the energy ledger, one term per line, with fractions of the initial energy.
-pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
+/// Lists the energy ledger, one term per line, with fractions of the initial energy. Without a measured outcome the energies at the end are
+/// unknown.
+pub fn energy(run: &Run) -> Vec<String> {
+    let ledger = &run.ledger;
     let start_j = ledger.initial_j();
     let line = |label: &str, energy_j: f64| {
         let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
@@ -271,6 +273,10 @@ pub fn energy(ledger: &EnergyLedger) -> Vec<String> {
     let mut lines = vec![line("at the start", start_j)];
     // A single term equals the total.
     lines.extend(if start.len() > 1 { start } else { Vec::new() });
+    if run.outcome == Outcome::Unmeasured {
+        lines.push(format!("{:<13}not measured", "at the end"));
+        return lines;
+    }
     let (weight, end) = end.split_at(1);
     lines.extend(terms(weight));
     lines.push(line("at the end", ledger.final_j()));
@@ -347,7 +353,7 @@ pub fn page(name: &str, run: &Run, with: Option<&Traces>, has_charts: bool) -> P
     }
     page.push(Block::Warnings(envelope::warnings(run)));
     page.heading("energy");
-    page.lines(energy(&run.ledger).into_iter().map(|line| format!("  {line}")));
+    page.lines(energy(run).into_iter().map(|line| format!("  {line}")));
     if !run.events.is_empty() {
         page.heading("events");
     }
@@ -388,7 +394,7 @@ mod tests {
             results.contains("max plate displacement  none: nothing stops the plate"),
             "{results}"
         );
-        let energy = energy(&run.ledger).join("\n");
+        let energy = energy(&run).join("\n");
         assert!(energy.contains("at the start  147.500 J  100.00 %"), "{energy}");
         assert!(energy.contains("penetration   73.7500 J   50.00 %"), "{energy}");
         assert!(energy.contains("plate         36.8750 J   25.00 %"), "{energy}");
