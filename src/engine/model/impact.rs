@@ -37,6 +37,7 @@ mod run;
 #[cfg(test)]
 mod tests;
 mod weight;
+mod zero_passage;
 
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
 const STEP_TOLERANCE_FACTOR: f64 = 1e-2;

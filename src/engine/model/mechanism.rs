@@ -71,7 +71,7 @@ impl PowerLaw {
         } else if self.is_linear() {
             self.coefficient * z
         } else {
-            self.coefficient * z.abs().powf(self.exponent) * sign(z)
+            self.coefficient * power(z.abs(), self.exponent) * sign(z)
         }
     }
 
@@ -90,7 +90,7 @@ impl PowerLaw {
         if self.is_linear() {
             return self.coefficient;
         }
-        self.coefficient * self.exponent * z.abs().powf(self.exponent - 1.0)
+        self.coefficient * self.exponent * power(z.abs(), self.exponent - 1.0)
     }
 
     /// Returns the integral of the force from 0 to `z`; for a spring the stored energy.
@@ -98,7 +98,7 @@ impl PowerLaw {
         if self.is_absent() {
             return 0.0;
         }
-        self.coefficient / (self.exponent + 1.0) * z.abs().powf(self.exponent + 1.0)
+        self.coefficient / (self.exponent + 1.0) * power(z.abs(), self.exponent + 1.0)
     }
 
     /// Returns |z| for a given force; infinite for a law without force.
@@ -106,7 +106,7 @@ impl PowerLaw {
         if self.is_absent() {
             return f64::INFINITY;
         }
-        (force.abs() / self.coefficient).powf(1.0 / self.exponent)
+        power(force.abs() / self.coefficient, 1.0 / self.exponent)
     }
 
     /// Returns |z| for a given integral; infinite for a law without force.
@@ -115,6 +115,17 @@ impl PowerLaw {
             return f64::INFINITY;
         }
         ((self.exponent + 1.0) * integral / self.coefficient).powf(1.0 / (self.exponent + 1.0))
+    }
+}
+
+/// Returns a power of a number that is not negative; half powers by the square root, which takes a third of the time.
+fn power(z: f64, exponent: f64) -> f64 {
+    match exponent {
+        0.5 => z.sqrt(),
+        1.5 => z * z.sqrt(),
+        2.0 => z * z,
+        -0.5 => 1.0 / z.sqrt(),
+        _ => z.powf(exponent),
     }
 }
 

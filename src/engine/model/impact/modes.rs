@@ -185,13 +185,10 @@ pub(super) fn after(
             release(setup, &mut next, state);
         }
         Event::ZeroPassed => {
-            // The energy of the spring is equal at the mirror position.
-            let x_m = mode.origin_m + state.x_m;
-            let way_s = -2.0 * x_m / state.w_m_s;
-            state.t_s += way_s;
-            state.q_m += state.u_m_s * way_s;
-            state.x_m = -x_m - mode.origin_m;
-            next.stretch = mode.spring.stretch(-x_m);
+            if let Some(passed) = (Equations { setup, mode }).passed_zero(state) {
+                *state = passed;
+                next.stretch = mode.spring.stretch(mode.origin_m + state.x_m);
+            }
         }
         Event::SpringHolds => {
             (next.hold, next.held_m) = (PlateConstraint::Spring, setup.returned_m(state.q_m));

@@ -13,7 +13,7 @@ use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::PlateConstraint;
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::rule::Rule;
-use crate::numerics::{larger, smaller};
+use crate::numerics::smaller;
 
 /// Duration of the first moment, relative to the shortest time scale of the contact: `R / v_i`, or that of its stiffness or damping. Within
 /// it the contact force is constant or proportional to time; the relative error of the velocities is about the square of this value.
@@ -23,7 +23,7 @@ const FIRST_MOMENT: f64 = 1e-6;
 const QUASI_STATIC_RATIO: f64 = 1e2;
 /// Negligible fraction: of the tip radius, for the displacement of a locked plate; of energy and velocity, at a zero: 1e-4 of
 /// the default tolerance.
-const HELD: f64 = 1e-13;
+pub(super) const HELD: f64 = 1e-13;
 /// Displacement at which a plate may lock again, relative to that at which it unlocks; the hysteresis avoids an immediate unlock.
 const RELOCK_FRACTION: f64 = 0.5;
 /// Displacement at which a plate that has locked again unlocks, in units of the step tolerance times the depth. The result is the tolerance
@@ -34,7 +34,7 @@ const SMALL_LAG: f64 = 0.1;
 /// Part of the time in which the contact's force changes over which its rate's difference is taken.
 const DIFFERENCE: f64 = 1e-3;
 /// Part of the lengths and velocities of these rules with which a computation judges another.
-const JUDGING: f64 = 1e-2;
+pub(super) const JUDGING: f64 = 1e-2;
 /// Step size towards a singular zero, relative to the time until the plate reaches it. The step then ends at about its own length from the
 /// zero, where polynomials are accurate.
 const SINGULARITY_STEP_FRACTION: f64 = 0.55;
@@ -261,33 +261,11 @@ impl Equations<'_> {
                 < damper.force(creep_m_s)
     }
 
-    /// Returns the time until the plate reaches the singular zero of its spring, s, and whether the energy in the spring is not negligible;
-    /// `None` if the plate does not move towards such a zero.
-    fn next_zero(&self, state: &State) -> Option<(f64, bool)> {
-        let spring = &self.setup.spring;
-        spring.power().filter(|law| !law.is_smooth_at_zero())?;
-        let (x_m, w_m_s) = (self.displacement_m(state.x_m), state.w_m_s);
-        let way_s = -x_m / w_m_s;
-        let counts = spring.energy(x_m) > HELD * self.moving_kg() * w_m_s * w_m_s;
-        (self.mode.hold == PlateConstraint::Free && way_s > 0.0).then_some((way_s, counts))
-    }
-
-    /// Returns `true` if the plate can be moved to the mirror position beyond the zero of its spring: the energy in the spring is
-    /// negligible, no other force changes the velocities meanwhile, and no stop is in between.
-    pub(super) fn passes_zero(&self, state: &State) -> bool {
-        let Some((way_s, false)) = self.next_zero(state) else { return false };
-        let (slip, plate) = self.accelerations(&State { x_m: -self.mode.origin_m, ..*state });
-        Rule::ZeroPassed.applies()
-            && way_s * larger(slip.abs(), plate.abs()) < HELD * state.w_m_s.abs()
-            && self.setup.stop_at_m.abs() > self.displacement_m(state.x_m).abs()
-    }
-
     /// Returns the maximum step size towards a singular zero of the spring or the damper, s; infinite if none is approached, or if the
     /// remainder is negligible.
     pub(super) fn approach_s(&self, state: &State) -> f64 {
         let ImpactParameters { damper, creep_m_s, velocity_m_s, .. } = *self.setup;
-        let by_spring = self.next_zero(state).filter(|(_, counts)| *counts);
-        let mut least_s = by_spring.map_or(f64::INFINITY, |(way_s, _)| way_s);
+        let mut least_s = self.until_zero_s(state).unwrap_or(f64::INFINITY);
         if !damper.is_smooth_at_zero() && state.w_m_s.abs() > creep_m_s {
             let (w_m_s, acceleration) = (state.w_m_s, self.accelerations(state).1);
             let way_s = -w_m_s / acceleration;

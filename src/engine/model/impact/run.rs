@@ -233,7 +233,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         if equations.locks_again(&self.course.state, self.course.record.farthest_m) {
             return Some(Event::SpringHolds);
         }
-        if equations.passes_zero(&self.course.state) {
+        if equations.passed_zero(&self.course.state).is_some() {
             return Some(Event::ZeroPassed);
         }
         let is_behind =
@@ -291,8 +291,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
     fn advance_by<const D: usize>(&mut self, law: &ReducedSystem<'_, D>) -> Option<EndReason> {
         let ReducedSystem { equations, start } = law;
         let events: Vec<_> = events::possible_events(self.course.setup, equations.mode).collect();
-        let left_s = self.course.horizon_s - self.course.state.t_s;
-        let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(&self.course.state)));
+        let left_s = self.course.horizon_s - start.t_s;
+        let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(start)));
         let no_time_s = MIN_STEP_FRACTION * self.course.setup.passage_s();
         if h_s < MIN_STEP_FRACTION * no_time_s {
             return Some(EndReason::StepUnderflow);
@@ -323,11 +323,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             gaps
         };
         let gaps: Vec<_> = events.iter().map(of_event).collect();
-        let gap = |fraction: f64, which: usize| {
-            event_function(equations, events[which], &path.at(fraction))
-        };
-        let found = first_crossing(&gaps, gap);
-        match found {
+        let gap = |at: f64, which: usize| event_function(equations, events[which], &path.at(at));
+        match first_crossing(&gaps, gap) {
             EventSearch::Nothing => {
                 self.course.record.step(equations, &path);
                 self.course.state = law.state(h_s, &step.end);
