@@ -48,10 +48,10 @@ impl PowerLaw {
         !self.is_absent() && self.exponent < 1.0
     }
 
-    /// Returns the velocity below which a damper with exponent < 1 is linearised, m/s, from the impact velocity; 0 for other laws. The
-    /// error of the displacement is at most 1e-13 of the tip radius.
-    pub fn creep_m_s(self, impact_m_s: f64) -> f64 {
-        if self.is_steep_at_zero() { 1e-13 * impact_m_s } else { 0.0 }
+    /// Returns the velocity below which a damper with exponent < 1 is linearised, m/s, from a velocity that the plate can have; 0 for other
+    /// laws.
+    pub fn creep_m_s(self, plate_m_s: f64) -> f64 {
+        if self.is_steep_at_zero() { 1e-13 * plate_m_s } else { 0.0 }
     }
 
     /// Returns `true` for a linear law or a law without force.

@@ -150,10 +150,16 @@ pub struct Number {
 /// underflow.
 const LEAST: f64 = 1e-15;
 
+/// Maximum value of a positive quantity, in its stored unit: 1e15 kg is the mass of a mountain. Squares of a velocity that such a mass
+/// shares with a projectile keep their digits.
+const MOST: f64 = 1e15;
+/// Values of a positive quantity.
+const SENSIBLE: Allowed = Allowed::Between(LEAST, MOST);
+
 /// Physically possible values of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Allowed {
-    /// Greater than zero: `LEAST` or more.
+    /// Greater than zero: from `LEAST` to `MOST`.
     Positive,
     /// This value or more.
     From(f64),
@@ -174,7 +180,7 @@ impl Allowed {
     pub fn contains(self, value: f64) -> bool {
         value.is_finite()
             && match self {
-                Self::Positive => value >= LEAST,
+                Self::Positive => (LEAST..=MOST).contains(&value),
                 Self::From(least) => value >= least,
                 Self::NonNegative => value >= 0.0,
                 Self::Any | Self::Closing => true,
@@ -311,7 +317,7 @@ impl Variable {
                 let rule = number.allowed.describe(number.quantity);
                 let rule = match number.allowed {
                     Allowed::Positive => {
-                        format!("{rule}: {}", Allowed::From(LEAST).describe(number.quantity))
+                        format!("{rule}: {}", SENSIBLE.describe(number.quantity))
                     }
                     _ => rule,
                 };
@@ -367,9 +373,9 @@ impl Variable {
             None => "omit it to have none".to_owned(),
         };
         let written = if value.is_finite() { units::shortest(value) } else { value.to_string() };
-        // A positive variable has a stated minimum.
-        let is_tiny = *allowed == Allowed::Positive && value > 0.0;
-        let rule = if is_tiny { Allowed::From(LEAST) } else { *allowed };
+        // A positive variable has a stated minimum and maximum.
+        let is_extreme = *allowed == Allowed::Positive && value > 0.0;
+        let rule = if is_extreme { SENSIBLE } else { *allowed };
         let (value, allowed) = (format!("{written} {}", quantity.unit()), rule.describe(*quantity));
         let value = value.trim_end().to_owned();
         let Self { symbol, key, meaning, .. } = *self;
@@ -430,9 +436,9 @@ pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
 mod tests {
     use super::*;
 
-    /// Every positive number has a minimum, which its description states and below which it is rejected.
+    /// Every positive number has a minimum and a maximum, which its description states and beyond which it is rejected.
     #[test]
-    fn numbers_above_zero_have_a_least_value() {
+    fn numbers_above_zero_have_a_least_and_a_greatest_value() {
         let mut exponents = 0;
         for variable in VARIABLES.iter() {
             let Some(number) = variable.number() else { continue };
@@ -447,6 +453,10 @@ mod tests {
             assert!(variable.allowed().contains(&units::shortest(least)), "{}", variable.key);
             let set = |value| variable.set(&mut Scene::default(), Value::Number(value));
             assert!(set(least).is_ok() && set(least.next_down()).is_err(), "{}", variable.key);
+            if number.allowed == Allowed::Positive {
+                assert!(variable.allowed().contains("1e15"), "{}", variable.allowed());
+                assert!(set(MOST).is_ok() && set(MOST.next_up()).is_err(), "{}", variable.key);
+            }
         }
         assert_eq!(exponents, 3);
         let refusal = set_by_name(&mut Scene::default(), "n", "1e-20").unwrap_err().to_string();

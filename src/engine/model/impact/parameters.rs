@@ -9,6 +9,9 @@ use crate::model::plug::Plug;
 use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind};
 use crate::numerics::larger;
 
+/// Least reference velocity of the plate, relative to the impact velocity.
+const SLOWEST: f64 = 1e-8;
+
 /// Parameters of an impact.
 #[derive(Clone, Debug)]
 pub(super) struct ImpactParameters {
@@ -81,6 +84,7 @@ impl ImpactParameters {
         let velocity_m_s = larger(scene.projectile.velocity_m_s, closing_m_s);
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = moving_plate_kg(scene);
+        let given_m_s = plate_velocity_m_s(scene, &geometry, (velocity_m_s, plate_kg));
         let absorbs = scene.is_sprung() && scene.mechanism.spring.kind == SpringKind::Crush;
         let kinetic_j = |kg: f64, speed: f64| 0.5 * kg * speed * speed;
         let start_m_s = scene.plate_velocity_m_s();
@@ -88,7 +92,7 @@ impl ImpactParameters {
             law,
             absorber: absorbs.then(|| Box::new(scene.mechanism.clone())),
             damper: mechanism.damper,
-            creep_m_s: mechanism.damper.creep_m_s(velocity_m_s),
+            creep_m_s: mechanism.damper.creep_m_s(given_m_s),
             stop_at_m: mechanism.stop.and_then(|stop| stop.position_m).unwrap_or(f64::INFINITY),
             restitution: mechanism.rigid_stop().map(|stop| stop.restitution),
             stop_n_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.stiffness_n_m),
@@ -220,6 +224,19 @@ impl ImpactParameters {
     pub(super) fn projectile_m_s(&self, state: &State) -> f64 {
         state.u_m_s + state.w_m_s * self.cos
     }
+}
+
+/// Returns the reference velocity of the plate, m/s: the smaller of that of the impact and the velocity that the resistance of the whole hole
+/// gives the plate at it. A plate that is hardly touched moves much slower than its projectile.
+fn plate_velocity_m_s(
+    scene: &Scene,
+    geometry: &Geometry,
+    (impact_m_s, plate_kg): (f64, f64),
+) -> f64 {
+    let pressure_pa = scene.flow_strength_pa() + scene.drag_kg_m3() * impact_m_s * impact_m_s;
+    let hole_j = pressure_pa * geometry.swept_m3(geometry.exit_m);
+    let given_m_s = larger(hole_j / (plate_kg * impact_m_s), SLOWEST * impact_m_s);
+    if given_m_s < impact_m_s { given_m_s } else { impact_m_s }
 }
 
 /// Returns the reference length, m: the smaller of the tip radius and the travel over which the strength dissipates the energy of the shot,

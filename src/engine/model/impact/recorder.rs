@@ -319,7 +319,7 @@ impl Recorder {
         match event {
             modes::Event::StopReached => self.work.stop_j += lost_j,
             modes::Event::HistoryEnd => self.work.penetration_j += lost_j,
-            modes::Event::ZeroPassed => self.pass_zero((before, from), (after, to)),
+            modes::Event::ZeroPassed => self.pass_zero(before, [from, to]),
             _ if picks_up => self.work.pick_up_j += lost_j,
             _ => {}
         }
@@ -338,29 +338,18 @@ impl Recorder {
         } else if let Some(row) = self.series.last_mut()
             && self.keep_series
             && self.every_s.is_none()
+            && event != modes::Event::ZeroPassed
         {
             *row = sample(after, to);
         }
     }
 
     /// Records the work of a passage through the zero of the spring.
-    fn pass_zero(
-        &mut self,
-        (before, from): (&Equations<'_>, &State),
-        (after, to): (&Equations<'_>, &State),
-    ) {
-        let weight_j = before.weight_work_j(from, to);
-        let damper_j = before.damper_n(from.w_m_s) * from.w_m_s * (to.t_s - from.t_s);
+    fn pass_zero(&mut self, equations: &Equations<'_>, ends: [&State; 2]) {
+        let [hole_j, damper_j, weight_j] = equations.passage_works_j(ends);
         self.work.weight_j += weight_j;
         self.work.damper_j += damper_j;
-        if before.is_touching() {
-            let spring_j = |it: &Equations<'_>, state: &State| {
-                it.mode.spring.energy(it.displacement_m(state.x_m))
-            };
-            let lost_j = before.kinetic_j(from) - after.kinetic_j(to) + spring_j(before, from)
-                - spring_j(after, to);
-            *self.in_hole_j(before.setup) += lost_j + weight_j - damper_j;
-        }
+        *self.in_hole_j(equations.setup) += hole_j;
     }
 
     /// Records first arrest, exit and separation at an event, and marks it.

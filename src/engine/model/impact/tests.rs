@@ -438,3 +438,20 @@ fn valid_lumped_bodies_go_as_far_as_their_damper_lets_them() {
         }
     }
 }
+
+/// A needle of 1 um through 25.4 mm barely moves a plate: the steep damper balances its force F at w = (F/b)², on the way of each depth in
+/// proportion to A². The nose enters on 8/15 R and leaves on R/5; dishing makes the way (h + 2 R)/h times as long up to the rear face.
+#[test]
+fn valid_a_steep_damper_holds_a_plate_that_is_hardly_touched() {
+    let (r, h, v) = (1e-6, 0.0254, 100.0);
+    let force_n = std::f64::consts::PI * r * r * (1.52e8 + 6.775e6);
+    let way_m = (8.0 / 15.0 * r + h - r) * (h + 2.0 * r) / h + r / 5.0;
+    for b in [1e2, 1e3, 1e4] {
+        let scene = scene_with(&format!("R=1um gamma=1 k=0 m=0.5 b={b}"));
+        let run = simulate(&Arc::new(scene), &Settings::BARE, &mut |_| ControlFlow::Continue(()))
+            .unwrap();
+        let expected = (force_n / b).powi(2) * way_m / v;
+        let found = run.max_plate_displacement_m.unwrap();
+        assert!(is_near(found, expected, 1e-5), "{b}: {found:e} {expected:e}");
+    }
+}

@@ -94,6 +94,17 @@ impl Equations<'_> {
         let goes_on = others.all(|event| event_function(self, event, &to) > 0.0);
         goes_on.then_some(to)
     }
+
+    /// Returns the works in the hole, of the damper and of the weight on a passage, J. The first follows from the balance of energy.
+    pub(super) fn passage_works_j(&self, [from, to]: [&State; 2]) -> [f64; 3] {
+        let weight_j = self.weight_work_j(from, to);
+        let damper_j = self.damper_n(from.w_m_s) * from.w_m_s * (to.t_s - from.t_s);
+        let energy_j = |state: &State| {
+            self.kinetic_j(state) + self.setup.spring.energy(self.displacement_m(state.x_m))
+        };
+        let lost_j = energy_j(from) - energy_j(to) + weight_j - damper_j;
+        [if self.is_touching() { lost_j } else { 0.0 }, damper_j, weight_j]
+    }
 }
 
 #[cfg(test)]
