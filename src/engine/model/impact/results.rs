@@ -21,7 +21,7 @@ use crate::numerics::larger;
 /// Velocity of a damped plate, relative to its maximum, at which the time series ends.
 const ARRIVED_SPEED: f64 = 1e-2;
 /// Relative increase of a peak load that does not need further simulation.
-pub(super) const GROWTH: f64 = 1e-9;
+const GROWTH: f64 = 1e-9;
 /// Tolerance of reaching the maximum displacement, relative to it.
 const REACHED: f64 = 1e-9;
 /// Energy residual above which a warning is given, relative to the energy at the start.
@@ -391,7 +391,12 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let penetration_at_most_m =
         if outcome == Outcome::Moving { course.depth_at_most_m() } else { course.within_m() };
     let final_penetration_m = course.final_m(outcome, hole_m, penetration_at_most_m);
-    let max_plate_displacement_m = course.max_displacement_m();
+    let moved = course.record.series.iter().map(|row| row.plate_displacement_m);
+    let max_plate_displacement_m = course.max_displacement_m().map(|peak_m| raised(peak_m, moved));
+    if course.setup.turning_kg == 0.0 {
+        let forces = course.record.series.iter().map(|row| row.mount_force_n().abs());
+        course.record.loads.mount_n = raised(course.record.loads.mount_n, forces);
+    }
     let is_bounded = course.decided.is_none_or(|(_, far_m)| far_m.is_finite());
     // On a rigid mount both depths are identical.
     let is_own = course.setup.is_rigid_mount && !course.flows();
@@ -442,6 +447,12 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     };
     run.warnings = course.warnings(&run);
     run
+}
+
+/// Returns a peak, or a row above it. Rows after the decision exceed a peak that follows from the energy only by the errors of their steps.
+fn raised(peak: f64, rows: impl Iterator<Item = f64>) -> f64 {
+    let most = rows.fold(f64::NEG_INFINITY, |most, row| if row > most { row } else { most });
+    if most > peak + GROWTH * peak.abs() { most } else { peak }
 }
 
 /// Returns the row of a state.

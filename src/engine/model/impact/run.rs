@@ -14,7 +14,7 @@ use crate::model::impact::modes::{self, Event, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
 use crate::model::impact::reduced_system::ReducedSystem;
-use crate::model::impact::results::{self, GROWTH, ImpactRun};
+use crate::model::impact::results::{self, ImpactRun};
 use crate::model::impact::rule::Rule;
 use crate::model::run::{Cost, EndReason, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::Scene;
@@ -217,13 +217,9 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                 break ended;
             }
         };
-        let drawn = self.course.record.loads;
-        let mut known = loads.unwrap_or(drawn);
-        // Later rows exceed the peak by more than rounding only through the errors of their steps.
-        if drawn.mount_n > known.mount_n * (1.0 + GROWTH) {
-            known.mount_n = drawn.mount_n;
+        if let Some(known) = loads {
+            self.course.record.loads = known;
         }
-        self.course.record.loads = known;
         ended.filter(|end| *end == EndReason::Cancelled).unwrap_or(EndReason::Decided)
     }
 
