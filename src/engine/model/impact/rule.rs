@@ -35,7 +35,7 @@ pub(super) enum Rule {
     Lag,
     /// Step size that ends before a singular zero.
     Approach,
-    /// Mirror image of a plate beyond a singular zero with negligible energy in its spring.
+    /// Passage of a plate through a singular zero with little energy in its spring.
     ZeroPassed,
     /// Rest of a plate whose further bounces are negligible.
     BouncesToRest,
@@ -46,6 +46,7 @@ pub(super) enum Rule {
 impl Rule {
     /// Returns `true`; `false` in a test that has switched the rule off.
     #[inline(always)]
+    #[cfg_attr(not(test), expect(clippy::unused_self, reason = "a test looks which rule it is"))]
     pub(super) fn applies(self) -> bool {
         #[cfg(test)]
         return tests::OFF.get() != Some(self);

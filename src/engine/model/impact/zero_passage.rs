@@ -21,6 +21,9 @@ impl Equations<'_> {
     /// Returns the largest fraction of the energy of the spring and of the velocities that a passage neglects to first order. Methods that are
     /// there for comparison step through everything else.
     fn passed_fractions(&self) -> [f64; 2] {
+        if !Rule::ZeroPassed.applies() {
+            return [0.0; 2];
+        }
         let is_steady = self.setup.law == ContactLaw::Flow || !self.is_touching();
         let fraction = match self.setup.stepping {
             IntegrationMethod::Collocation(_) if is_steady => 1.0,
@@ -52,9 +55,6 @@ impl Equations<'_> {
     pub(super) fn passed_zero(&self, state: &State) -> Option<State> {
         let Equations { setup, mode } = self;
         let (way_s, false) = self.next_zero(state)? else { return None };
-        if !Rule::ZeroPassed.applies() {
-            return None;
-        }
         let law = setup.spring.power().filter(|_| !mode.is_pressed)?;
         let lasts_s = 2.0 * way_s;
         let at_zero = State { x_m: -mode.origin_m, ..*state };
