@@ -18,8 +18,9 @@ const EXPONENTS: [(f64, f64); 6] = [
 const STIFFNESS: f64 = 2e5;
 const WATCHED_S: f64 = 0.1;
 
-/// Times at which the joined bodies come through zero, and their speed then.
-fn passages(run: &Run) -> Vec<(f64, f64)> {
+/// Times at which joined bodies of a mass on a spring k x^n come through zero, and their speed then: from the row before, where the spring has
+/// a small part e of twice the kinetic energy, it takes x/w (1 - e (n + 1)/(n + 2)).
+fn passages(run: &Run, n: f64, mass: f64) -> Vec<(f64, f64)> {
     let joined: Vec<_> = run.series.iter().filter(|row| row.mode == ContactMode::Fused).collect();
     let at_zero = joined.windows(2).filter(|pair| {
         pair[0].plate_displacement_m * pair[1].plate_displacement_m <= 0.0
@@ -27,7 +28,12 @@ fn passages(run: &Run) -> Vec<(f64, f64)> {
     });
     let passage = |pair: &[&Sample]| {
         let Sample { t_s, plate_displacement_m, plate_velocity_m_s, .. } = *pair[0];
-        (t_s - plate_displacement_m / plate_velocity_m_s, plate_velocity_m_s.abs())
+        let twice_kinetic = mass * plate_velocity_m_s * plate_velocity_m_s;
+        let stored = STIFFNESS / (n + 1.0) * plate_displacement_m.abs().powf(n + 1.0);
+        let part = stored / twice_kinetic;
+        let way_s = -plate_displacement_m / plate_velocity_m_s;
+        let speed = plate_velocity_m_s.abs() * (1.0 + 2.0 * part).sqrt();
+        (t_s + way_s * (1.0 - part * (n + 1.0) / (n + 2.0)), speed)
     };
     at_zero.map(passage).collect()
 }
@@ -41,7 +47,7 @@ fn undamped_plates_swing_in_the_time_of_the_closed_form() {
         let own = scene(&told);
         let mass = own.projectile.mass_kg + own.plate_mass_kg();
         let found = run(own);
-        let passages = passages(&found);
+        let passages = passages(&found, n, mass);
         assert!(passages.len() >= 3, "{told}: {} passages", passages.len());
         for pair in passages.windows(2) {
             let energy = 0.5 * mass * pair[0].1 * pair[0].1;
