@@ -9,11 +9,11 @@ use std::time::Instant;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::changed;
 use cmra_engine::numerics::random::Random;
-use cmra_engine::numerics::statistics::{quantile, sorted_by};
 use cmra_studies::report::accuracy::{TARGETS, seconds};
 use cmra_studies::study::accuracy::method::{Method, Parameter};
 use cmra_studies::study::accuracy::{AccuracyReport, ComparisonOptions, MethodReport, compare};
 use cmra_studies::study::context::Context;
+use cmra_studies::study::statistics::{quantile, sorted_by};
 
 const SCENES: usize = 1000;
 const SEED: u64 = 2007;

@@ -3,9 +3,9 @@
 //! `collocation` holds the implicit method that integrates smooth, stiff and singular equations; `explicit` holds the Runge-Kutta methods
 //! it is compared with. Both return a `step` with dense output, on which `event_location` finds the first event. [`root`] finds a zero in
 //! a bracket, `series_root` the zero of a power series, [`quadrature`] integrates, [`maximum`] maximises, `monotone` interpolates tables and
-//! `incomplete_beta` is the integral of that name. [`random`] and [`sobol`] draw samples, [`statistics`] summarises them.
+//! `incomplete_beta` is the integral of that name. [`random`] draws samples.
 //!
-//! An integration step uses fixed-size arrays and allocates nothing; quadrature, tables and samples use vectors. Every loop is bounded.
+//! An integration step uses fixed-size arrays and allocates nothing; quadrature and tables use vectors. Every loop is bounded.
 
 pub(crate) mod collocation;
 pub(crate) mod event_location;
@@ -17,8 +17,6 @@ pub mod quadrature;
 pub mod random;
 pub mod root;
 pub(crate) mod series_root;
-pub mod sobol;
-pub mod statistics;
 pub(crate) mod step;
 
 /// The larger of two numbers; NaN when either is NaN (unlike `f64::max`, which hides it).

@@ -19,8 +19,10 @@ pub mod principles;
 pub mod quantities;
 pub mod search;
 pub mod sensitivity;
+mod sobol;
 pub mod stability;
 pub mod stack;
+pub mod statistics;
 pub mod sweep;
 #[cfg(test)]
 pub(crate) mod testing;

@@ -1,7 +1,7 @@
 //! Simulation of an impact from first contact to its end; a pure function without clock, file or thread.
 //!
-//! `parameters` has what a scene gives, `equations` the equations of motion. `modes` contains the discrete states and their transitions,
-//! `events` the event functions of each state. `reduced_system` selects the active degrees of freedom; `plate_lock` locks the plate while a
+//! `parameters` has what a scene gives, `equations` the equations of motion. `state` is the mechanical state, `modes` the discrete ones,
+//! `transitions` leads from one to the next, `events` has the event functions of each. `reduced_system` selects the active degrees of freedom; `plate_lock` locks the plate while a
 //! stiff spring holds it. `run` is the integration loop, and `method` lists the methods; `fused_swing` goes from event to event without
 //! steps. `outcome` decides by energy when the run ends. `dense_output` has the states on a step, `recorder` accumulates rows, work and peak
 //! forces (`loads`), `free_oscillation` what the method damps, and `results` builds the [`Run`].
@@ -10,13 +10,16 @@ use std::sync::Arc;
 
 use crate::model::closed_form;
 use crate::model::estimate;
+use crate::model::impact::parameters::ImpactParameters;
+use crate::model::mechanism::Mechanism;
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
+use crate::numerics::collocation::{ELEVEN, RADAU_IIA_17, SEVEN, THREE};
+use crate::numerics::explicit::{Dop853, Rk4};
 use crate::numerics::larger;
 pub use method::IntegrationMethod;
-use method::run_by;
 
 mod dense_output;
 mod equations;
@@ -34,10 +37,23 @@ mod reduced_system;
 mod results;
 mod rule;
 mod run;
+mod state;
 #[cfg(test)]
 mod tests;
+mod transitions;
 mod weight;
 mod zero_passage;
+
+/// Relative tolerance of event location for methods with fixed steps.
+const STEPPED: f64 = 1e-12;
+
+/// Tolerance of the steps of the second computation over that of the first: its own error is a hundredth of their difference. Towards the
+/// zeros of laws that are not analytic there both take equal steps, of which its two stages more leave less than that; a tighter tolerance
+/// would only add steps.
+const TIGHTER: f64 = 1e-2;
+const TIGHTER_AT_ZEROS: f64 = 1e-1;
+/// Least tolerance of its steps: below it there is only rounding.
+const LEAST_JUDGING: f64 = 1e-14;
 
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
 const STEP_TOLERANCE_FACTOR: f64 = 1e-2;
@@ -57,6 +73,50 @@ pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>
         with_estimate(run, most, observer)
     } else {
         run
+    }
+}
+
+/// Runs an impact of a valid scene with a method, for every contact model except the listing of the Appendix.
+fn run_by(
+    scene: &Arc<Scene>,
+    settings: Settings,
+    stepping: IntegrationMethod,
+    observer: Observer<'_>,
+) -> Run {
+    let setup = |tolerance: f64| ImpactParameters::from_scene(scene, tolerance).by(stepping);
+    let is_analytic = Mechanism::from_scene(scene).is_analytic();
+    match stepping {
+        IntegrationMethod::Collocation(tolerance)
+        | IntegrationMethod::CollocationInFull(tolerance) => {
+            let setup = setup(tolerance);
+            if is_analytic {
+                run::run(scene, &setup, &SEVEN.to(tolerance), settings, observer)
+            } else {
+                run::run(scene, &setup, &RADAU_IIA_17.to(tolerance), settings, observer)
+            }
+        }
+        IntegrationMethod::Second(judged) => {
+            let part = if is_analytic { TIGHTER } else { TIGHTER_AT_ZEROS };
+            let tolerance = larger(part * judged, LEAST_JUDGING);
+            let setup = setup(tolerance);
+            if is_analytic {
+                run::run(scene, &setup, &RADAU_IIA_17.judging(tolerance), settings, observer)
+            } else {
+                run::run(scene, &setup, &ELEVEN.judging(tolerance), settings, observer)
+            }
+        }
+        IntegrationMethod::Radau5(tolerance) => {
+            run::run(scene, &setup(tolerance), &THREE.to(tolerance), settings, observer)
+        }
+        IntegrationMethod::Dop853(tolerance) => {
+            run::run(scene, &setup(tolerance), &Dop853 { tolerance }, settings, observer)
+        }
+        IntegrationMethod::Rk4(step) => {
+            run::run(scene, &setup(STEPPED), &Rk4 { step, locates: true }, settings, observer)
+        }
+        IntegrationMethod::Rk4WithoutEvents(step) => {
+            run::run(scene, &setup(STEPPED), &Rk4 { step, locates: false }, settings, observer)
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::report::chart::ticks::Along;
 use crate::report::chart::{Axis, Chart, Curve, Mark};
 use crate::report::map::Map;
 use crate::report::series::thinned;
-use cmra_engine::numerics::statistics::sorted_by;
+use crate::study::statistics::sorted_by;
 
 mod bands;
 

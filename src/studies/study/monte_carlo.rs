@@ -12,13 +12,13 @@ use crate::study::limit;
 use crate::study::option;
 use crate::study::outcome::OutcomeCounts;
 use crate::study::quantities::{self, Needs, Quantity, find};
+use crate::study::statistics::{Z95, moments, quantile, wilson};
 use crate::study::sweep::{Axis, Plan, PointOutcome, Spacing, StudyError};
 use crate::study::verdict::Verdict;
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::{OwnMass, Scene, SpringKind};
 use cmra_engine::model::variables::{self, Number, VARIABLES, Variable};
 use cmra_engine::numerics::random::Random;
-use cmra_engine::numerics::statistics::{Z95, moments, quantile, wilson};
 pub use tolerance::{Distribution, Kind, Tolerance};
 
 mod tolerance;

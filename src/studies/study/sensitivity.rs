@@ -9,6 +9,7 @@ use crate::study::context::Context;
 use crate::study::option;
 use crate::study::outcome::PointOutcome;
 use crate::study::quantities::{Quantity, named};
+use crate::study::statistics::{quantile, sorted_by};
 use crate::study::sweep::default_axes::{or_usual, thesis_ends};
 use crate::study::sweep::{Axis, Plan, Point, Spacing, StudyError};
 use crate::study::validity;
@@ -17,7 +18,6 @@ use cmra_engine::model::run::Warning;
 use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::{self, Allowed, Variable};
-use cmra_engine::numerics::statistics::{quantile, sorted_by};
 use cmra_engine::numerics::{larger, smaller};
 
 /// Default variables of the study: the design variables of the thesis, then its given parameters.

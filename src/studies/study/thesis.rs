@@ -6,12 +6,12 @@
 use std::sync::Arc;
 
 use crate::study::context::{CancelFlag, Context};
+use crate::study::statistics;
 use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::scene::{ContactModel, Listing, Scene};
 use cmra_engine::model::simulate::{self, Settings};
 use cmra_engine::model::units::significant;
 use cmra_engine::model::variables;
-use cmra_engine::numerics::statistics;
 use cmra_engine::numerics::{larger, smaller};
 
 mod captions;

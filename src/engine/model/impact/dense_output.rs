@@ -2,7 +2,7 @@
 
 use std::array;
 
-use crate::model::impact::equations::State;
+use crate::model::impact::state::State;
 use crate::numerics::event_location::CELLS;
 use crate::numerics::maximum;
 

@@ -6,6 +6,7 @@
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::state::State;
 use crate::numerics::step::{Jacobian, Point};
 use crate::numerics::{larger, smaller};
 
@@ -15,16 +16,6 @@ const VELOCITY_RESOLUTION: f64 = 1e-18;
 const FORCE_ROUNDING: f64 = 1e-13;
 /// Rounding error, relative to the operands of a difference that is zero.
 const ROUNDING: f64 = f64::EPSILON;
-
-/// State: time, travel, relative velocity, and displacement (from the origin of the mode) and velocity of the plate.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub(super) struct State {
-    pub(super) t_s: f64,
-    pub(super) q_m: f64,
-    pub(super) u_m_s: f64,
-    pub(super) x_m: f64,
-    pub(super) w_m_s: f64,
-}
 
 /// Equations of motion in a mode.
 #[derive(Clone, Copy, Debug)]

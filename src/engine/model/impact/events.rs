@@ -1,9 +1,10 @@
 //! Events of a mode and their event functions: positive while the mode lasts, zero at the event.
 
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::state::State;
 use crate::numerics::larger;
 
 /// Returns the events that can end a mode.
@@ -88,7 +89,7 @@ fn recontact(setup: &ImpactParameters, mode: &HybridMode, state: &State) -> f64 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::modes::first;
+    use crate::model::impact::transitions::first;
     use crate::model::variables::scene_with;
 
     /// Scene, contact, whether the elastic stop is pressed, and the events that can end them.

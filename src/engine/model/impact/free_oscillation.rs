@@ -11,8 +11,9 @@
 //! - While the stiffness changes slowly, amplitude² times frequency is constant; a damper reduces it.
 
 use crate::model::impact::dense_output::DenseOutput;
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::PlateConstraint;
+use crate::model::impact::state::State;
 use crate::numerics::collocation::FILTER;
 use crate::numerics::{larger, smaller};
 

@@ -6,9 +6,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, Event, PlateConstraint};
+use crate::model::impact::state::State;
 use crate::model::mechanism::sign;
 use crate::numerics::incomplete_beta::incomplete_beta;
 use crate::numerics::larger;

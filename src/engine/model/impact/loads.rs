@@ -2,7 +2,8 @@
 
 use std::array;
 
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
+use crate::model::impact::state::State;
 use crate::numerics::smaller;
 
 /// Signs of the mechanism's force for compression and tension of the interface.

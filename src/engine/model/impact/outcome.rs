@@ -4,11 +4,12 @@
 //! deeper hole, a projectile pulled out, a new contact, a larger displacement. The functions depend only on contact mode and state.
 
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::rule::Rule;
+use crate::model::impact::state::State;
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;
@@ -457,8 +458,9 @@ fn coasting_m_s(damper: PowerLaw, kg: f64, (w_m_s, way_m): (f64, f64)) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::modes::{HybridMode, first};
+    use crate::model::impact::modes::HybridMode;
     use crate::model::impact::tests::{is_near, look};
+    use crate::model::impact::transitions::first;
     use crate::model::variables::scene_with;
 
     /// Outcomes of two bodies of 29.5 g. The interface carries half of the spring's force; the limit loads are 15 kN and 1.5 kN.

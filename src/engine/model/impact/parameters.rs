@@ -2,8 +2,8 @@
 
 use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::State;
 use crate::model::impact::method::IntegrationMethod;
+use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::plug::Plug;
 use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind};

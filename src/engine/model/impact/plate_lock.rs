@@ -8,11 +8,12 @@
 //! - Linearised damper: below a small velocity a damper with exponent < 1 is replaced by a linear one.
 
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::PlateConstraint;
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::rule::Rule;
+use crate::model::impact::state::State;
 use crate::numerics::smaller;
 
 /// Duration of the first moment, relative to the shortest time scale of the contact: `R / v_i`, or that of its stiffness or damping. Within

@@ -4,13 +4,14 @@ use std::array;
 
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::dense_output::DenseOutput;
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::free_oscillation::FreeOscillation;
 use crate::model::impact::fused_swing::FusedSwing;
 use crate::model::impact::loads::{COMPRESSION_TENSION_SIGNS, Loads};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::results::sample;
+use crate::model::impact::state::State;
 use crate::model::run::{
     Arrest, Cost, Departure, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Sample,
 };

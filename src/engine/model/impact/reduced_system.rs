@@ -2,8 +2,9 @@
 
 use std::array;
 
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::Contact;
+use crate::model::impact::state::State;
 use crate::numerics::step::{Jacobian, Point, SecondOrderOde};
 
 /// Equations of motion from a state on, for `D` active degrees of freedom: travel of the projectile and displacement of the plate, or one.

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
 use crate::model::impact::outcome::NEGLIGIBLE;
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
+use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, LeftOut, MechanismLoad,

@@ -6,16 +6,18 @@
 use std::sync::Arc;
 
 use crate::model::impact::dense_output::DenseOutput;
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::events::{self, event_function};
 use crate::model::impact::fused_swing::FusedSwing;
 use crate::model::impact::loads::Loads;
-use crate::model::impact::modes::{self, Event, PlateConstraint};
+use crate::model::impact::modes::{Event, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
 use crate::model::impact::reduced_system::ReducedSystem;
 use crate::model::impact::results::{self, ImpactRun};
 use crate::model::impact::rule::Rule;
+use crate::model::impact::state::State;
+use crate::model::impact::transitions;
 use crate::model::run::{Cost, EndReason, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::event_location::{EventSearch, first_crossing};
@@ -72,7 +74,7 @@ pub(super) fn run<const S: usize>(
 ) -> Run {
     // Without a hole ahead of it, a plug comprises the whole thickness.
     let setup = setup.at(0.0);
-    let (mode, state) = modes::first(setup);
+    let (mode, state) = transitions::first(setup);
     let horizon_s = scene.run.horizon_s.unwrap_or(f64::INFINITY);
     let Settings { series: keep_series, every_s, .. } = settings;
     let record = Recorder { keep_series, every_s, ..Recorder::default() };
@@ -248,10 +250,10 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         let setup = self.course.setup;
         let mut state = on_it;
         let before = self.course.mode.clone();
-        let mut next = modes::after(setup, &before, event, &mut state);
+        let mut next = transitions::after(setup, &before, event, &mut state);
         let setup_after = if event == Event::PieceEnd { setup.at(state.q_m) } else { setup };
         if event != Event::StopRelease {
-            modes::update_direction(setup_after, &mut next, &state);
+            transitions::update_direction(setup_after, &mut next, &state);
         }
         (self.last, self.previous) = (Some(event), None);
         let old = Equations { setup, mode: &before };
@@ -267,7 +269,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         let ImpactRun { mode, state, record, .. } = &mut self.course;
         let slips_m = Equations { setup, mode }.remaining_slip_m(state, record.farthest_m);
         if let Some(travel_m) = slips_m {
-            modes::apply_remaining_slip(setup, mode, state, travel_m);
+            transitions::apply_remaining_slip(setup, mode, state, travel_m);
             record.work.penetration_j += before_j - Equations { setup, mode }.kinetic_j(state);
         }
     }

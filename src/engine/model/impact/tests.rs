@@ -4,10 +4,13 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::equations::{Equations, State};
-use super::method::{IntegrationMethod, run_by};
-use super::modes::{Contact, HybridMode, first};
+use super::equations::Equations;
+use super::method::IntegrationMethod;
+use super::modes::{Contact, HybridMode};
 use super::parameters::ImpactParameters;
+use super::run_by;
+use super::state::State;
+use super::transitions::first;
 use crate::model::run::{EndReason, Outcome, Run, Sample, Settings};
 use crate::model::scene::Scene;
 use crate::model::simulate::simulate;

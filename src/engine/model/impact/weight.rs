@@ -4,9 +4,10 @@
 //! `m_p v' = P - F`. Fused bodies have `M w' = P cos - G` with their mass M along the normal; the interface carries
 //! `m_p cos G/M + P m_2/M`. A projectile that has left the plate has no weight: the model does not include a second fall.
 
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, HybridMode};
 use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::state::State;
 use crate::model::mechanism::Spring;
 use crate::numerics::larger;
 

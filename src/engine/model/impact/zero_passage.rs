@@ -5,12 +5,13 @@
 //! out is of second order in the fraction of the spring, and of third order in the change of velocity by the other forces.
 
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::equations::{Equations, State};
+use crate::model::impact::equations::Equations;
 use crate::model::impact::events::{event_function, possible_events};
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, Event, PlateConstraint};
 use crate::model::impact::plate_lock::{HELD, JUDGING};
 use crate::model::impact::rule::Rule;
+use crate::model::impact::state::State;
 
 /// Energy of the spring, relative to twice the kinetic energy, below which the plate passes its zero at once.
 const PASSED_ENERGY: f64 = 1e-6;

@@ -6,10 +6,10 @@ use crate::report::figures::{axis_of, map_over};
 use crate::report::map::{Cell, Map, MapMark, Tone};
 use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
+use crate::study::statistics::sorted_by;
 use crate::study::sweep::grid::{self, Grid};
 use crate::study::sweep::{self, PointOutcome};
 use cmra_engine::model::run::Outcome;
-use cmra_engine::numerics::statistics::sorted_by;
 
 /// Creates the picture of an output over a full grid of one or two axes; `None` if the output exists at no point.
 pub fn picture(grid: &Grid, output: usize) -> Option<Picture> {

@@ -1,9 +1,9 @@
 //! Classes of measured limits: bias and scatter of the law, computed from a table, and the expected limit.
 
+use crate::study::statistics::student_quantile;
 use cmra_engine::model::run::envelope::thickness_ratio;
 use cmra_engine::model::scene::{Closure, ContactModel, Core, Criterion, Nose, Scene};
 use cmra_engine::numerics::larger;
-use cmra_engine::numerics::statistics::student_quantile;
 
 /// Ranges of density, kg/m³, and of elastic modulus, Pa, that the measurements of an alloy cover.
 const LIGHT: ([f64; 2], [f64; 2]) = ([2600.0, 2900.0], [65e9, 75e9]);

@@ -5,11 +5,11 @@ use crate::study::limit;
 use crate::study::measured::{Class, Key, Measured, Measurement, OUTPUTS, Sample, classes};
 use crate::study::quantities::find;
 use crate::study::run_with;
+use crate::study::statistics::moments;
 use crate::study::verdict::Verdict;
 use cmra_engine::model::run::envelope::thickness_ratio;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::Settings;
-use cmra_engine::numerics::statistics::moments;
 
 /// Group of the rows without a class.
 pub const WITHOUT_CLASS: &str = "no class: the law alone";

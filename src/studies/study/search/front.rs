@@ -12,6 +12,7 @@ use crate::study::context::Context;
 use crate::study::option;
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::sampling::{self, Evaluation, Sample};
+use crate::study::statistics::sorted_by;
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::default_axes::{or_usual, thesis_axes};
 use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, StudyError};
@@ -21,7 +22,6 @@ use cmra_engine::model::run::EndReason;
 use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::larger;
-use cmra_engine::numerics::statistics::sorted_by;
 pub use constraint::Constraint;
 
 mod constraint;

@@ -4,7 +4,7 @@
 //! The search is deterministic. With several objectives the best points are the feasible ones that no other point dominates, with one
 //! objective the feasible point with the smallest value.
 
-use cmra_engine::numerics::sobol;
+use crate::study::sobol;
 
 /// Number of rounds after the first one, which has a quarter of the points.
 const ROUNDS: usize = 20;

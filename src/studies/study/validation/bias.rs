@@ -1,7 +1,7 @@
 //! Bias and scatter of the model, for classes of measurements and for all.
 
 use super::{NOT_COUNTED, Row, measurements};
-use cmra_engine::numerics::statistics::moments;
+use crate::study::statistics::moments;
 use cmra_engine::numerics::{larger, smaller};
 
 /// Bias and scatter of a set of measurements.

@@ -4,7 +4,7 @@
 //! of the scan and the boundary is thus found. Each bracket is reduced by the Illinois method, safeguarded by bisection.
 
 use crate::study::search::seek::{Kind, SamplePoint};
-use cmra_engine::numerics::statistics::sorted_by;
+use crate::study::statistics::sorted_by;
 
 /// Number of bisections for the boundary of an interval without a value: its error is 2e-13 of the spacing of the scan.
 const EDGE_STEPS: usize = 42;

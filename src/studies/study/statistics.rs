@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::numerics::root::bracketed_root;
+use cmra_engine::numerics::root::bracketed_root;
 
 /// Standard normal quantile for a two-sided 95 % interval.
 pub const Z95: f64 = 1.959_963_984_540_054;

@@ -5,10 +5,10 @@
 
 use std::sync::LazyLock;
 
-use crate::numerics::random::Random;
+use cmra_engine::numerics::random::Random;
 
 /// Number of dimensions in the table of direction numbers.
-pub const DIMENSIONS: usize = 24;
+pub(super) const DIMENSIONS: usize = 24;
 
 /// Primitive polynomial (degree s, coefficients a) and initial direction numbers m of each dimension from the second on.
 const TABLE: [(usize, u32, &[u32]); DIMENSIONS - 1] = [
@@ -62,7 +62,7 @@ fn directions(dimension: usize) -> [u32; DIGITS] {
 
 /// Returns a coordinate, in [0, 1), of the point `index`. The `dimension` is below [`DIMENSIONS`]; the sequence repeats after 2^32
 /// points. A seed other than 0 applies a random digital shift.
-pub fn point_coordinate(index: u64, dimension: usize, seed: u64) -> f64 {
+pub(super) fn point_coordinate(index: u64, dimension: usize, seed: u64) -> f64 {
     let of_dimension = Random::new(dimension as u64 + 1).bits();
     let shift = if seed == 0 { 0 } else { Random::new(seed ^ of_dimension).bits() >> 32 };
     (u64::from(bits(index, dimension)) ^ shift) as f64 / 4_294_967_296.0
