@@ -6,7 +6,6 @@
 use std::sync::Arc;
 
 use crate::study::context::{Context, never_cancel};
-use crate::study::verdict::Verdict;
 use cmra_engine::model::run::envelope::oblique_error;
 use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::scene::Scene;
@@ -168,17 +167,6 @@ pub struct LimitReport {
 }
 
 impl LimitReport {
-    /// Returns the margin of the expected limit, else of the law's limit, over the scene's impact velocity, relative to that velocity.
-    pub fn margin(&self) -> Option<f64> {
-        let velocity = self.verdict().headline_m_s()?;
-        Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
-    }
-
-    /// Returns the verdict on the scene's own shot.
-    pub fn verdict(&self) -> Verdict {
-        Verdict::with_limit(&self.scene, self.limit.velocity_m_s())
-    }
-
     /// Returns the velocity of a slower undecided shot, m/s.
     pub fn undecided_at_m_s(&self) -> Option<f64> {
         if let Limit::Found { undecided_at_m_s, .. } = self.limit { undecided_at_m_s } else { None }

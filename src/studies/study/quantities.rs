@@ -7,7 +7,7 @@
 use crate::study::error::QuantityError;
 use crate::study::first_contact::FirstContact;
 use crate::study::load::{impulse_n_s, peak_n};
-use crate::study::measured::Key;
+use crate::study::measured::class::Key;
 use crate::study::verdict::Expected;
 use cmra_engine::model::mechanism::load;
 use cmra_engine::model::run::{Run, RunResult, envelope};

@@ -3,8 +3,9 @@
 //! All commands, pages and files use this verdict. A shot below the band of the expected limit is stopped; a shot above it perforates.
 //! Without a class of measurements the law decides, and the verdict states this.
 
-use crate::study::limit;
-use crate::study::measured::{Class, Expectation, Key, known};
+use crate::study::limit::{self, LimitReport};
+use crate::study::measured::class::{Class, Expectation, Key};
+use crate::study::measured::known::known;
 use cmra_engine::model::scene::{Mount, Scene};
 use cmra_engine::model::units::{fixed_significant, velocity};
 use cmra_engine::numerics::larger;
@@ -129,6 +130,19 @@ impl Verdict {
     /// Returns the limit to display first, m/s: the expected limit, else the law's limit.
     pub fn headline_m_s(&self) -> Option<f64> {
         self.expected.as_ref().map(|band| band.limit_m_s).or(self.limit_m_s)
+    }
+}
+
+impl LimitReport {
+    /// Returns the margin of the expected limit, else of the law's limit, over the scene's impact velocity, relative to that velocity.
+    pub fn margin(&self) -> Option<f64> {
+        let velocity = self.verdict().headline_m_s()?;
+        Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
+    }
+
+    /// Returns the verdict on the scene's own shot.
+    pub fn verdict(&self) -> Verdict {
+        Verdict::with_limit(&self.scene, self.limit.velocity_m_s())
     }
 }
 

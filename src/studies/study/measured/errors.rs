@@ -2,12 +2,13 @@
 
 use crate::study::context::Context;
 use crate::study::limit;
-use crate::study::measured::{Class, Key, Measured, Measurement, OUTPUTS, Sample, classes};
+use crate::study::measured::class::{Sample, classes};
+use crate::study::measured::known::sample;
+use crate::study::measured::table::{Measured, Measurement, OUTPUTS};
 use crate::study::quantities::find;
 use crate::study::run_with;
 use crate::study::statistics::moments;
 use crate::study::verdict::Verdict;
-use cmra_engine::model::run::envelope::thickness_ratio;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::Settings;
 
@@ -66,19 +67,6 @@ impl Row {
         let expected = self.verdict().and_then(|verdict| verdict.expected.as_ref());
         expected.map_or(WITHOUT_CLASS, |expected| &expected.class)
     }
-
-    fn sample(&self) -> Option<Sample> {
-        let (scene, computed) =
-            (self.measurement.scene.as_ref().ok()?, self.computed.as_ref().ok()?);
-        let (law, measured) = (computed.verdict.limit_m_s?, self.measurement.measured.limit_m_s?);
-        Some(Sample {
-            key: Key::from_scene(scene)?,
-            paper: self.measurement.source.clone(),
-            error: (law / measured).ln(),
-            thickness: thickness_ratio(scene),
-            angle_deg: scene.projectile.obliquity_deg,
-        })
-    }
 }
 
 /// Computes the values for a measurement with the classes of the built-in table.
@@ -123,15 +111,6 @@ pub fn evaluate(measurements: &[Measurement], context: &mut Context<'_>) -> Vec<
     context.map_items(measurements, row, |context, _| context.should_continue())
 }
 
-/// Returns the classes of the built-in measurements.
-pub(super) fn classes_of(measurements: &[Measurement]) -> Vec<Class> {
-    let sample = |measurement: &Measurement| {
-        let row = by_law(measurement)?;
-        row.sample()
-    };
-    classes(&measurements.iter().filter_map(sample).collect::<Vec<_>>())
-}
-
 /// Computes a row with the law's limit in closed form and without a class; `None` without a closed form.
 fn by_law(measurement: &Measurement) -> Option<Row> {
     let law = limit::closed_form(measurement.scene.as_ref().ok()?);
@@ -148,7 +127,8 @@ fn by_law(measurement: &Measurement) -> Option<Row> {
 /// Computes each measurement with the limit expected from all other papers. The result is the error for an unseen paper.
 pub fn leave_out(measurements: &[Measurement]) -> Vec<Row> {
     let mut rows: Vec<Row> = measurements.iter().filter_map(by_law).collect();
-    let samples: Vec<Option<Sample>> = rows.iter().map(Row::sample).collect();
+    let samples: Vec<Option<Sample>> =
+        rows.iter().map(|row| sample(&row.measurement, row.verdict()?.limit_m_s)).collect();
     let mut papers: Vec<String> = rows.iter().map(|row| row.measurement.source.clone()).collect();
     papers.sort();
     papers.dedup();
