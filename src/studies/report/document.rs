@@ -46,7 +46,9 @@ impl Document {
         for part in blocks.chunk_by(|a, b| item(a).is_some() && item(b).is_some()) {
             let items: Vec<String> = part.iter().filter_map(item).collect();
             if items.is_empty() {
-                part.iter().for_each(|it| self.block(it));
+                for block in part {
+                    self.block(block);
+                }
             } else {
                 self.list(&items);
             }
