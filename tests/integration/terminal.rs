@@ -387,6 +387,37 @@ fn bytes_stay_few() {
     assert_eq!(terminal.wait_exit().exit_code(), 0);
 }
 
+/// Whether a screen shows what a key does.
+type Seen = Box<dyn Fn(&vt100::Screen) -> bool>;
+
+/// A frame of 1 kB takes 0.2 s on a line of 5 kB/s. Another time range or a step leaves what it does not concern in its place.
+#[test]
+fn a_key_on_run_sends_at_most_1_kb() {
+    let mut terminal = started();
+    terminal.sync();
+    let title =
+        |title: &'static str| move |screen: &vt100::Screen| screen.contents().contains(title);
+    let keys: [(&str, Seen); 7] = [
+        ("c", Box::new(title(", whole 4.572"))),
+        ("c", Box::new(title("4.572 mm (64 % of rigid mount)"))),
+        ("l", Box::new(title("4.700 mm"))),
+        ("h", Box::new(title("4.572 mm (64 % of rigid mount)"))),
+        ("j", Box::new(title("> d "))),
+        ("k", Box::new(title("> gamma"))),
+        (" ", Box::new(title("pinned as A"))),
+    ];
+    for (key, seen) in keys {
+        terminal.forget();
+        terminal.send(key);
+        terminal.wait_until(key, seen);
+        let frames = terminal.frames();
+        let sent: usize = frames.iter().sum();
+        assert!((1..=1000).contains(&sent), "{key}: {frames:?}");
+    }
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit().exit_code(), 0);
+}
+
 /// Text of the shell stays where there is no alternate screen: it is cleared on entering, and the screen is on leaving.
 #[test]
 fn without_an_alternate_screen_nothing_of_the_shell_stays_between_the_digits() {

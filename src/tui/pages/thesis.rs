@@ -81,6 +81,11 @@ impl Page for ThesisTab {
         true
     }
 
+    fn is_of_use(&self, app: &App, action: Action) -> bool {
+        let shows_it = || app.pages.thesis.claim().is_some_and(|row| row.claim.preset.is_some());
+        (app.pane(), action) != (CLAIMS, Action::Enter) || shows_it()
+    }
+
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         if app.pane() == PRINCIPLES {
             let Principle { section, preset, .. } = principle(app);

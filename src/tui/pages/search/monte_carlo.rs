@@ -5,7 +5,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::pages::search::study_page::{Answer, note};
-use crate::tui::widgets::text::{fitting, shortened};
+use crate::tui::widgets::text::shortened;
 use crate::worker::studies::SearchRequest;
 use cmra_studies::report::monte_carlo::{QUANTILES, drawn_again, perforation, table, warnings};
 use cmra_studies::report::table::{Cells, Table};
@@ -52,6 +52,11 @@ fn known(report: &MonteCarloReport) -> Table<'_, &Summary> {
     table
 }
 
+/// Returns the first of two texts if it fits into the columns, else the second one, which wraps.
+fn or_wrapped([long, short]: [String; 2], width: usize) -> String {
+    if usize::from(columns(&long)) <= width { long } else { short }
+}
+
 impl Answer for MonteCarloReport {
     fn effort(&self) -> Option<String> {
         Some(format!("{} samples", self.samples))
@@ -63,11 +68,11 @@ impl Answer for MonteCarloReport {
             let show = |it: Estimate| summary.measure.show(it.value, 4);
             let spread = format!("{}, 90 %: {} to {}", show(median?), show(low?), show(high?));
             let names = [summary.measure.title(), shortened(&summary.measure.title())];
-            Some(fitting(names.map(|name| format!("{name} {spread}")), width))
+            Some(or_wrapped(names.map(|name| format!("{name} {spread}")), width))
         });
         let through = perforation(self).map(|text| {
             let short = text.replace(" of the shots (95 % confidence:", " (95 %:");
-            fitting([text, short], width)
+            or_wrapped([text, short], width)
         });
         shown.into_iter().chain(through).map(note).collect()
     }
