@@ -80,13 +80,3 @@ fn two_results_for_standard_output_are_refused() {
         );
     }
 }
-
-#[test]
-fn a_scene_for_the_battery_is_refused_with_the_cure() {
-    let place = tempfile::tempdir().unwrap();
-    for words in ["stability thesis-baseline", "stability --set gamma=2"] {
-        let done = in_folder(place.path(), words);
-        assert_eq!((done.code, done.out.as_str()), (2, ""), "{words}");
-        assert!(done.err.contains("SCENE and --set belong to --map"), "{}", done.err);
-    }
-}
