@@ -28,6 +28,10 @@ const TIMES: f64 = 1_024.0;
 /// Number of marked points of a line.
 const MARKED: usize = 12;
 
+/// Rows from which a trace is drawn from fewer points, and the parts of its time whose ends and extremes these are.
+const LONG: usize = 20_000;
+const PARTS: f64 = 4.0 * TIMES;
+
 /// Traces of one file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Traces {
@@ -186,6 +190,25 @@ impl Traces {
     /// The traces of a quantity.
     pub fn of_channel(&self, channel: Channel) -> impl Iterator<Item = &Trace> {
         self.traces.iter().filter(move |trace| trace.channel == channel)
+    }
+
+    /// Returns the traces with fewer points for long ones, from which each change of a chart draws.
+    #[must_use]
+    pub fn for_drawing(&self) -> Self {
+        let few = |trace: &Trace| {
+            let is_long = trace.points.len() > LONG;
+            let points =
+                if is_long { thinned_to(&trace.points, PARTS) } else { trace.points.clone() };
+            Trace { points, ..trace.clone() }
+        };
+        Self { name: self.name.clone(), traces: self.traces.iter().map(few).collect() }
+    }
+
+    /// Returns the curves of a quantity up to a time, from these traces for drawing (`few`), unless they have few points until then.
+    pub fn curves_from(&self, few: &Self, channel: Channel, end_s: f64) -> Vec<Curve<'static>> {
+        let pairs = self.traces.iter().zip(&few.traces).filter(|pair| pair.0.channel == channel);
+        let enough = |few: &Trace| few.until(end_s).len() as f64 >= TIMES;
+        pairs.flat_map(|(all, few)| if enough(few) { few } else { all }.curves(end_s)).collect()
     }
 
     /// The curves of a quantity up to a time.
@@ -347,5 +370,27 @@ mod tests {
         assert!(curves[0].points.len() <= 4 * 1_024 + 1 && curves[1].is_dotted());
         let few = trace(Channel::Penetration, vec![(0.0, 0.0), (1.0, 1.0), (2.0, 1.0)]).curves(1.5);
         assert!(few.len() == 1 && few[0].is_dotted() && few[0].points.len() == 4);
+    }
+
+    /// Each edit draws from about 16,000 points instead of all rows; a short part of a trace still has all its rows.
+    #[test]
+    fn long_traces_are_thinned_once_and_keep_spikes_and_short_parts() {
+        let spike = 77_777;
+        let value = |at: u32| if at == spike { 5.0 } else { 1e-3 * f64::from(at % 7) };
+        let points = (0..100_000).map(|at| (1e-8 * f64::from(at), value(at))).collect();
+        let channel = Channel::Penetration;
+        let all = Traces { name: "T.csv".to_owned(), traces: vec![trace(channel, points)] };
+        let few = all.for_drawing();
+        assert!(few.traces[0].points.len() <= 4 * 4_096 + 1);
+        let greatest = |end_s: f64| {
+            let curves = all.curves_from(&few, channel, end_s);
+            curves[0].points.iter().map(|point| point.1).fold(0.0, f64::max)
+        };
+        assert_eq!(
+            (greatest(1.0).to_bits(), greatest(7e-4).to_bits()),
+            (5_f64.to_bits(), 6e-3_f64.to_bits())
+        );
+        let part = all.curves_from(&few, channel, 5e-6);
+        assert_eq!(part[0].points.len(), 501, "all rows of a short part");
     }
 }

@@ -254,11 +254,12 @@ pub(crate) fn lay_beside(app: &mut App, traces: Arc<Traces>) {
 
 /// Updates the displayed traces after a change of the run or the charts.
 pub(crate) fn follow_traces(app: &mut App) {
-    let ends = [0, 1, 2].map(|chart| (app.pages.run.charts.quantities[chart], end_s(app, chart)));
+    let channels = app.pages.run.charts.quantities;
+    let ends = [0, 1, 2].map(|chart| (channels[chart], end_s(app, chart)));
     let page = &mut app.pages.run;
     page.drawn.follow(page.beside.as_ref(), ends);
     let run = app.shown.as_ref().map(|shown| &shown.run);
-    page.differences.follow(run, page.beside.as_ref());
+    page.differences.follow(run, page.beside.as_ref(), channels);
 }
 
 /// Returns `true` if the focused row is a variable with a list of choices.

@@ -42,10 +42,10 @@ pub struct Matters {
     pub kept: CachedResult<SearchAnswer>,
 }
 
-/// Maximum differences of a run from traces, by quantity; computed once for each pair.
+/// Maximum differences of a run from traces, for the quantities of the charts; computed once for each pair.
 #[derive(Clone, Debug, Default)]
 pub struct Differences {
-    pair: Option<(Arc<Run>, Arc<Traces>)>,
+    pair: Option<(Arc<Run>, Arc<Traces>, [Channel; 3])>,
     greatest: Vec<(Channel, f64)>,
 }
 
@@ -55,21 +55,26 @@ impl Differences {
         self.greatest.iter().find(|one| one.0 == channel).map(|one| one.1)
     }
 
-    /// Computes the differences if the run or the traces have changed.
-    pub(crate) fn follow(&mut self, run: Option<&Arc<Run>>, traces: Option<&Arc<Traces>>) {
+    /// Computes the differences if the run, the traces or the quantities have changed.
+    pub(crate) fn follow(
+        &mut self,
+        run: Option<&Arc<Run>>,
+        traces: Option<&Arc<Traces>>,
+        channels: [Channel; 3],
+    ) {
         let Some((run, traces)) = run.zip(traces) else {
             *self = Self::default();
             return;
         };
-        let is_same = |pair: &(Arc<Run>, Arc<Traces>)| {
-            Arc::ptr_eq(&pair.0, run) && Arc::ptr_eq(&pair.1, traces)
+        let is_same = |pair: &(Arc<Run>, Arc<Traces>, [Channel; 3])| {
+            Arc::ptr_eq(&pair.0, run) && Arc::ptr_eq(&pair.1, traces) && pair.2 == channels
         };
         if self.pair.as_ref().is_some_and(is_same) {
             return;
         }
         let greatest = |channel| Some((channel, traces.greatest(channel, run)?));
-        self.greatest = Channel::ALL.into_iter().filter_map(greatest).collect();
-        self.pair = Some((Arc::clone(run), Arc::clone(traces)));
+        self.greatest = channels.into_iter().filter_map(greatest).collect();
+        self.pair = Some((Arc::clone(run), Arc::clone(traces), channels));
     }
 }
 
@@ -77,6 +82,8 @@ impl Differences {
 #[derive(Clone, Debug, Default)]
 pub struct Drawn {
     of: Option<(Arc<Traces>, Ends)>,
+    /// Traces with fewer points, thinned once.
+    few: Option<Traces>,
     curves: Vec<Vec<Curve<'static>>>,
 }
 
@@ -98,9 +105,14 @@ impl Drawn {
         };
         let ends = charts.map(|(channel, end_s)| (channel, end_s.to_bits()));
         let is_same = |of: &(Arc<Traces>, Ends)| Arc::ptr_eq(&of.0, traces) && of.1 == ends;
+        let is_known = self.of.as_ref().is_some_and(|of| Arc::ptr_eq(&of.0, traces));
         if !self.of.as_ref().is_some_and(is_same) {
-            let curves = charts.iter().map(|(channel, end_s)| traces.curves(*channel, *end_s));
+            let few = self.few.take().filter(|_| is_known);
+            let few = few.unwrap_or_else(|| traces.for_drawing());
+            let curves = charts.iter();
+            let curves = curves.map(|(channel, end_s)| traces.curves_from(&few, *channel, *end_s));
             self.curves = curves.collect();
+            self.few = Some(few);
             self.of = Some((Arc::clone(traces), ends));
         }
     }
