@@ -69,7 +69,7 @@ pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>
     let run = run_by(scene, settings, stepping, observer);
     if settings.estimate && run.end.is_complete() {
         let [both, alone] = WORK_OF_BOTH;
-        let most = settings.most_work(scene.run.tolerance).saturating_mul(both) / alone;
+        let most = settings.most_work(f64::INFINITY).saturating_mul(both) / alone;
         with_estimate(run, most, observer)
     } else {
         run

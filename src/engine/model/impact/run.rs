@@ -50,6 +50,9 @@ const STEPS_FOLLOWED: usize = 1_000;
 /// Maximum number of steps for the time series after the results are known; a stiff mount can oscillate a million times meanwhile.
 const STEPS_DRAWN: usize = 200;
 
+/// Part of the work of a run that this simulation may take, one in so many.
+const EXTENSION: usize = 8;
+
 /// State of a run in progress.
 struct IntegrationLoop<'a, M, const S: usize> {
     course: ImpactRun<'a>,
@@ -194,6 +197,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
     fn extend_for_output(&mut self, observer: Observer<'_>) -> EndReason {
         let is_drawn = self.course.record.keep_series && self.course.has_no_horizon();
         let Cost { turns, steps, .. } = self.course.record.cost;
+        self.work_max = self.course.record.cost.work() + self.work_max / EXTENSION;
         self.course.horizon_s = f64::INFINITY;
         let mut loads: Option<Loads> = None;
         let ended = loop {

@@ -21,16 +21,10 @@ impl Settings {
     /// Results and time series.
     pub const SERIES: Self = Self { series: true, ..Self::BARE };
 
-    /// Returns the evaluation budget for a tolerance: 50 % more for each digit, for smaller steps and more resolved events.
+    /// Returns the evaluation budget for a tolerance: half as much again below the default one, for smaller steps and more resolved events.
     pub(in crate::model) fn most_work(&self, tolerance: f64) -> usize {
-        self.work_max.unwrap_or_else(|| {
-            let (mut most, mut reached) = (WORK_MAX, RunSettings::default().tolerance);
-            while reached > tolerance && most < usize::MAX / 2 {
-                most += most / 2;
-                reached *= 0.1;
-            }
-            most
-        })
+        let is_tight = tolerance < RunSettings::default().tolerance;
+        self.work_max.unwrap_or(if is_tight { WORK_MAX / 2 * 3 } else { WORK_MAX })
     }
 }
 
