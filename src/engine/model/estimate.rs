@@ -56,8 +56,14 @@ fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
         RunResult::ArrestPlateVelocity => arrest_m_s,
         RunResult::MaxPlateDisplacement | RunResult::Stroke => farthest_m,
         RunResult::PeakMountForce => force_n,
+        // Fused bodies start with the spring's force at the arrest.
         RunResult::InterfaceDemand => {
-            second.mechanism.peak_mount_n.map_or(0.0, |peak_n| value * force_n / peak_n)
+            let at_peak = second.mechanism.peak_mount_n.map_or(0.0, |peak_n| force_n / peak_n);
+            let at_arrest = second.first_arrest.map_or(0.0, |arrest| {
+                let moved_m = arrest.plate_displacement_m.abs();
+                if arrest_m > 0.0 { arrest_m / moved_m } else { 0.0 }
+            });
+            value * larger(at_peak, at_arrest)
         }
         RunResult::StoredEnergy => energy_j,
         RunResult::ArrestTime
@@ -87,6 +93,9 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
         EstimateBasis::ClosedForm | EstimateBasis::OutcomeDiffers(_) => (1.0, ROUNDING),
     };
     let struck = run.scene.projectile.velocity_m_s;
+    // Slips that are left out can deepen the hole of an arrest, and push harder there.
+    let interval = |run: &Run| Some(run.penetration_at_most_m? - run.final_penetration_m?);
+    let width = interval(run).unwrap_or(0.0);
     run.error_estimates = RunResult::ALL
         .into_iter()
         .filter_map(|of| {
@@ -100,13 +109,15 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
                 }
                 Scale::CockingDistance => ROUNDING * run.scene.start_m().abs() / value.abs(),
             };
-            let interval_m = match of {
-                RunResult::FinalPenetration => {
-                    run.penetration_at_most_m.map_or(0.0, |most_m| most_m - value)
+            let interval = match of {
+                RunResult::FinalPenetration => width,
+                // The area grows at most as fast as the depth.
+                RunResult::PeakContactForce if width > 0.0 => {
+                    width * value / run.final_penetration_m?
                 }
                 _ => 0.0,
             };
-            let off = larger(factor * (value - other).abs(), interval_m);
+            let off = larger(factor * (value - other).abs(), interval);
             let off = off + left_out(of, second, other).abs();
             Some((of.key(), relative(off, value, larger(floor, rounding))?))
         })
