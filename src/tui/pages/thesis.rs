@@ -144,7 +144,7 @@ impl Page for ThesisTab {
     fn rows(&self, app: &App) -> Option<Rows> {
         let (tab, shown) = (&app.pages.thesis, app.list_rows());
         match app.pane() {
-            CLAIMS => Some(Rows { count: tab.rows().len(), selected: tab.selected, shown }),
+            CLAIMS => Some(Rows { count: tab.rows().len(), selected: tab.selected_row(), shown }),
             PRINCIPLES => {
                 Some(Rows { count: principles::PRINCIPLES.len(), selected: tab.principle, shown })
             }
@@ -261,7 +261,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             parts.map(move |(at, part)| (index, at == 0, part))
         })
         .collect();
-    let selected = lines.iter().position(|line| line.0 == tab.selected).unwrap_or(0);
+    let selected = lines.iter().position(|line| line.0 == tab.selected_row()).unwrap_or(0);
     let rows = RowList { count: lines.len(), selected, painted: false };
     let target = |line: usize| Some(Target::Row(CLAIMS, lines[line].0));
     rows.render(canvas, inner, target, |canvas, line, at| {
@@ -274,7 +274,7 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             canvas.put(line, (2, 0), &place, role);
         }
         canvas.put(line, (says, 0), part, role);
-        if *index == tab.selected && app.dialog.is_none() {
+        if *index == tab.selected_row() && app.dialog.is_none() {
             canvas.paint_row(line);
         }
     });

@@ -67,8 +67,12 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
 }
 
 #[test]
-fn a_claim_without_a_preset_opens_nothing() {
+fn the_first_claim_selected_can_be_opened_and_one_without_a_preset_opens_nothing() {
     let mut bench = bench(80, 24);
+    assert!(bench.screen().contains("Enter open"), "{}", bench.screen());
+    assert!(bench.message().contains("Enter opens "), "{}", bench.message());
+    bench.keys("g");
+    assert!(!bench.screen().contains("Enter open"), "{}", bench.screen());
     bench.keys("<Enter>");
     assert!(bench.message().contains("no preset shows this"), "{}", bench.message());
     assert_eq!(bench.app.tab, Tab::Thesis);
