@@ -263,6 +263,11 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .collect();
     let selected = lines.iter().position(|line| line.0 == tab.selected_row()).unwrap_or(0);
     let rows = RowList { count: lines.len(), selected, painted: false };
+    // The first line in view is the first one of its claim.
+    let cut = lines.iter().skip(rows.first(inner.height)).take_while(|line| !line.1).count();
+    let begin = (rows.first(inner.height) + cut).min(selected);
+    let lines = &lines[begin..];
+    let rows = RowList { count: lines.len(), selected: selected - begin, painted: false };
     let target = |line: usize| Some(Target::Row(CLAIMS, lines[line].0));
     rows.render(canvas, inner, target, |canvas, line, at| {
         let (index, is_first, part) = &lines[at];

@@ -48,6 +48,23 @@ fn the_pages() {
     }
 }
 
+/// No list of claims begins with the second line of one.
+#[test]
+fn the_list_of_claims_begins_with_the_place_of_a_claim() {
+    for size in [(60, 16), (80, 24), (120, 36)] {
+        let mut bench = bench(size.0, size.1);
+        bench.keys("g");
+        for _ in 0..23 {
+            let screen = bench.screen();
+            let mut lines =
+                screen.lines().skip_while(|line| !line.contains("Claims of the thesis"));
+            let first = lines.nth(1).unwrap_or_default();
+            assert!(first.starts_with(['|']) && !first.starts_with("| "), "{screen}");
+            bench.keys("j");
+        }
+    }
+}
+
 #[test]
 fn rows_come_in_parts_and_a_stopped_report_says_so() {
     let mut bench = Bench::ascii(80, 24);
