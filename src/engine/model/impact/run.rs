@@ -40,6 +40,9 @@ const LANDINGS_MAX: usize = 6;
 const SECANTS: usize = 8;
 /// Minimum step size, relative to `R / v_i`; smaller steps do not change t.
 const MIN_STEP_FRACTION: f64 = 1e-15;
+/// Tolerance of an event function for a second event at the same time, relative to its scale: rounding can put the state beyond it, and the
+/// steps to the first would become shorter without end.
+const SIMULTANEOUS_EVENT_TOLERANCE: f64 = 1e-9;
 /// Turns of the plate and changes of its contact after the first contact from which on these, and not the steps between them, use up the
 /// work of a run. Decided runs rarely have more.
 const CHANGES_FEW: usize = 100;
@@ -392,7 +395,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                     event_function(equations, *other, start),
                     event_function(equations, *other, &state),
                 );
-                before > 0.0 && now < 0.0
+                before > 0.0 && now < -SIMULTANEOUS_EVENT_TOLERANCE * before
             });
             if comes_first {
                 return Err(0.5 * h_s);
