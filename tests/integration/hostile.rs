@@ -52,7 +52,7 @@ fn an_endless_device_is_refused_as_scene_and_table() {
     let read = cmra("run", &["/dev/stdin", "--json"]).write_stdin(scene).output().unwrap();
     // 2^72, read as a number though no integer holds it.
     let error = String::from_utf8(read.stderr).unwrap();
-    assert!(error.contains("4722366482869645") && error.contains("1e15"), "{error}");
+    assert!(error.contains("4.722366482869645e21") && error.contains("1e15"), "{error}");
     let table = "format = 1\n[mechanism.spring]\nkind = \"table\"\n[mechanism.spring.table]\n\
                  file = \"/dev/zero\"\n";
     assert!(refused(table.as_bytes()).contains("`/dev/zero` is a device or a pipe"));
