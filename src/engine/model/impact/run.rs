@@ -395,7 +395,12 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                     event_function(equations, *other, start),
                     event_function(equations, *other, &state),
                 );
-                before > 0.0 && now < -SIMULTANEOUS_EVENT_TOLERANCE * before
+                let tolerance = if Rule::SimultaneousEvents.applies() {
+                    SIMULTANEOUS_EVENT_TOLERANCE
+                } else {
+                    0.0
+                };
+                before > 0.0 && now < -tolerance * before
             });
             if comes_first {
                 return Err(0.5 * h_s);

@@ -458,15 +458,3 @@ fn valid_a_steep_damper_holds_a_plate_that_is_hardly_touched() {
         assert!(is_near(found, expected, 1e-5), "{b}: {found:e} {expected:e}");
     }
 }
-
-/// Without a grip the pull starts at the arrest, where the load is zero: rounding puts it beyond its limit before the slip is zero.
-#[test]
-fn two_events_at_the_same_time_do_not_shorten_the_steps_without_end() {
-    let scene = scene_with(
-        "n=0.128065 m=2.05717 k=1065.77 b=0.0609973 gamma=68.3508 v_i=2.76962 h=0.700546 theta=72.3947deg S_y=1.38529e6 \
-         C_d=0.528579 interface=plastic g=0",
-    );
-    let run =
-        simulate(&Arc::new(scene), &Settings::BARE, &mut |_| ControlFlow::Continue(())).unwrap();
-    assert_ne!(run.end, EndReason::StepUnderflow);
-}
