@@ -1,6 +1,6 @@
 //! Background tasks: [`Worker::submit`] takes a [`Task`], a callback receives its [`TaskReport`]s.
 //!
-//! Each task starts at once on its own thread; the threads of studies share the cores. A new task cancels the running task of the same
+//! Each task starts at once on its own thread; studies use fewer threads while other tasks run. A new task cancels the running task of the same
 //! [`Slot`]. A panic in a task becomes a report. Each task ends with exactly one final report: `Ended` or `Failed`.
 //!
 //! Elapsed time is measured here, not in the model. This module depends on neither the terminal nor the file system.
@@ -26,9 +26,9 @@ use cmra_studies::study::parallel::cores;
 
 pub use studies::SceneRun;
 
-/// Duration of a task after which free memory is returned to the system. Returning it takes about 1 ms, little beside such a task.
+/// Minimum duration of a task after which the heap is trimmed; trimming takes about 1 ms.
 const LONG: Duration = Duration::from_millis(100);
-/// Interval at which free memory is returned if all tasks are short.
+/// Minimum interval between trims after shorter tasks.
 const WHILE: Duration = Duration::from_secs(5);
 
 /// Input of a background thread: a run or a study.
@@ -104,7 +104,7 @@ pub enum ReportBody {
     Part(Answer<StudyResult>),
     /// Final result, or the partial result of a stopped task; `None` if it had none.
     Ended(Option<Answer<StudyResult>>),
-    /// Message for the user: the thread could not start, or the task panicked.
+    /// Message for the user: the request was invalid, the thread could not start, or the task panicked.
     Failed(String),
 }
 
@@ -219,7 +219,7 @@ impl Shared {
     fn run(&self, task: &Task, cancel: &CancelFlag) {
         let begun = (self.clocks.wall)();
         let send = |body| (self.sink)(TaskReport { id: task.id, body });
-        // A run of the edited scene reduces the number of cores of the studies.
+        // Each running task counts as a user of the cores: studies use fewer threads meanwhile.
         let user = self.cores.enter();
         let reporter = Reporter::new(self, task, &send, cancel);
         let body = reporter.finish(|| (self.make)(task, &reporter));
@@ -242,8 +242,8 @@ mod tests;
 
 /// Returns the free pages of all threads to the system; about 1 ms for a heap of 100 MB.
 ///
-/// The GNU C library keeps memory that a thread has freed between blocks in use. Without this call an hour of searches and sweeps takes
-/// ten times the memory in use.
+/// The GNU C library keeps memory that a thread has freed between blocks in use. Without this call an hour of searches and sweeps occupies
+/// ten times the memory that is in use.
 #[cfg(all(target_os = "linux", target_env = "gnu"))]
 #[expect(unsafe_code, reason = "a call of the C library, which no crate wraps")]
 fn trim_heap() {

@@ -59,7 +59,7 @@ macro_rules! typed_enum {
 typed_enum! {
     /// Request of a task.
     StudyRequest,
-    /// Variant of a request.
+    /// Type of the content of a [`StudyRequest`].
     RequestVariant:
     Run(SceneRun),
     Picture(PictureSweep),
@@ -78,7 +78,7 @@ typed_enum! {
 typed_enum! {
     /// Final or partial result of a task.
     StudyResult,
-    /// Variant of a result.
+    /// Type of the content of a [`StudyResult`].
     ResultVariant:
     Run(Run),
     Grid(Grid),
@@ -93,7 +93,7 @@ typed_enum! {
     Search(SearchAnswer),
 }
 
-/// Duration below which a sweep sends no partial result, which would be replaced at once.
+/// Time before the first partial result of a sweep; a shorter sweep sends its final result only.
 const FIRST: Duration = Duration::from_millis(25);
 /// Minimum interval between two partial results of a sweep.
 const BETWEEN_PASSES: Duration = Duration::from_millis(120);
@@ -119,7 +119,7 @@ pub struct PictureSweep {
     pub plan: Arc<Plan>,
 }
 
-/// Computes the curves of a figure by the time stepping that the thesis prints.
+/// Computes the curves of a figure with the fixed-step scheme of the thesis, which the plan selects.
 #[derive(Debug)]
 pub struct PrintedSweep(pub Arc<Plan>);
 
@@ -131,11 +131,11 @@ pub struct LimitSearch;
 #[derive(Debug, PartialEq)]
 pub struct V50Study(pub monte_carlo::Request);
 
-/// Compares at equal areal mass.
+/// Compares the scene with a solid plate and other candidates of equal areal mass.
 #[derive(Debug)]
 pub struct MassComparison;
 
-/// Maps the mass efficiency around the scene: over impact velocity and mass ratio, or what gives the plate's size in its place.
+/// Maps the mass efficiency around the scene: over impact velocity and mass ratio, or the variable that sets the mass of the plate instead.
 #[derive(Debug)]
 pub struct EfficiencyMapStudy;
 
@@ -198,6 +198,7 @@ impl StudyRequest {
             }
             Self::Measurements(request) => {
                 let watch = &mut reporter.watch(accuracy::AccuracyReport::clone);
+                // Further threads would disturb the measured times.
                 let context = &mut Context::new(1, watch);
                 accuracy::compare(scene, request.0, &mut clock::processor_s, context)?.into()
             }

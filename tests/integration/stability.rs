@@ -484,7 +484,7 @@ fn a_scene_is_run_over_its_tolerance() {
         assert!(number(row, "error") < 1e-6_f64.min(10.0 * tolerance).max(1e-11), "{value}");
     }
     assert!(number(3, "rhs_evaluations") > number(0, "rhs_evaluations"));
-    assert!(value["stiffness"].as_f64().unwrap() > 0.0);
+    assert!(value["stiffness_ratio"].as_f64().unwrap() > 0.0);
     let page = says("stability", &["thesis-baseline"], 0).0;
     assert!(page.contains("by tolerance") && page.contains("stiffness"), "{page}");
 }

@@ -52,8 +52,8 @@ const STEPPED: f64 = 1e-12;
 /// would only add steps.
 const TIGHTER: f64 = 1e-2;
 const TIGHTER_AT_ZEROS: f64 = 1e-1;
-/// Least tolerance of its steps: below it there is only rounding.
-const LEAST_JUDGING: f64 = 1e-14;
+/// Least tolerance of the steps of the second computation: below it there is only rounding.
+const MIN_SECOND_TOLERANCE: f64 = 1e-14;
 
 /// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
 const STEP_TOLERANCE_FACTOR: f64 = 1e-2;
@@ -97,7 +97,7 @@ fn run_by(
         }
         IntegrationMethod::Second(judged) => {
             let part = if is_analytic { TIGHTER } else { TIGHTER_AT_ZEROS };
-            let tolerance = larger(part * judged, LEAST_JUDGING);
+            let tolerance = larger(part * judged, MIN_SECOND_TOLERANCE);
             let setup = setup(tolerance);
             if is_analytic {
                 run::run(scene, &setup, &RADAU_IIA_17.judging(tolerance), settings, observer)

@@ -36,7 +36,7 @@ const JACOBIAN: usize = 2;
 const SOLVED: f64 = 1e-2;
 /// Tolerance of the stage equations in the second computation of an error estimate, relative to the error scales. From the same initial
 /// guess both computations are left with nearly the same iteration error, which their difference does not show.
-const SOLVED_JUDGING: f64 = 1e-13;
+const SOLVED_SECOND: f64 = 1e-13;
 /// Rounding error of the stage equations, relative to the error scales: a few units in the last place of a sum of ten terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Error norm that the step-size controller aims at; below 1, so that most steps are accepted.
@@ -382,7 +382,7 @@ impl<const S: usize> RadauIia<S> {
 
     /// As a method that steps to this tolerance and shares no error of its iterations with one that is less accurate.
     pub(crate) fn judging(&self, tolerance: f64) -> Collocation<'_, S> {
-        let solved = smaller(SOLVED, SOLVED_JUDGING / tolerance);
+        let solved = smaller(SOLVED, SOLVED_SECOND / tolerance);
         Collocation { member: self, tolerance, solved }
     }
 

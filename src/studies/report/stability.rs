@@ -74,7 +74,7 @@ pub fn scene_page(found: &SceneStability, scene: &str) -> Page {
     ];
     page.table(scene_table(found).cells(&columns));
     page.space();
-    let stiffness = found.stiffness.map_or_else(
+    let stiffness = found.stiffness_ratio.map_or_else(
         || "unknown: the plate is fixed, or the projectile is not stopped".to_owned(),
         |ratio| {
             format!(
@@ -94,7 +94,7 @@ pub fn scene_page(found: &SceneStability, scene: &str) -> Page {
 /// The runs of one scene, with the source of their errors.
 pub fn scene_json(found: &SceneStability) -> Value {
     json!({
-        "stiffness": found.stiffness,
+        "stiffness_ratio": found.stiffness_ratio,
         "reference": found.basis.map(ReferenceSource::label),
         "rows": scene_table(found).objects(|_| true),
     })

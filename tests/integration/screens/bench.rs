@@ -213,7 +213,7 @@ impl Bench {
     }
 }
 
-/// What a click hits on the screen as it is drawn now.
+/// Element that a click hits on the screen as drawn now.
 pub(crate) fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     let mut buffer = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let mut targets = Targets::default();

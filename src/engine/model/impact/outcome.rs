@@ -17,15 +17,15 @@ use crate::numerics::{larger, smaller};
 
 /// Relative change of depth or displacement that is negligible: a thousandth of the default tolerance.
 pub(super) const NEGLIGIBLE: f64 = 1e-12;
-/// Velocity below which bodies that part count as in contact, relative to the impact velocity: ten times that by which rounding errors of
-/// the contact force part them.
+/// Negligible velocity of separation, relative to the impact velocity: ten times the velocity by which rounding errors of the contact force
+/// separate the bodies.
 const PARTING: f64 = 1e-10;
 
-/// Relative excess of the peak interface load over the limit load below which the remaining slip is computed from the energy. The slip
-/// velocity is about the excess to the power 1.5; the neglected drag is about its cube.
+/// Relative excess of the peak interface load over the limit load below which the remaining slip follows from the energy. The slip velocity
+/// scales as excess^1.5, the neglected drag as its square, excess^3.
 const LAST_SLIPS: f64 = 2e-3;
 
-/// Safety factor of the remaining slip. The last slip may take the other half of the way to the bottom of the hole, or out of it.
+/// Safety factor of the bound on slips: friction dissipates energy over half of the free distance only. The last slip may take the rest.
 const SLIP_RESERVE: f64 = 2.0;
 
 impl Equations<'_> {
@@ -113,7 +113,7 @@ impl Equations<'_> {
         self.plate_rests() || self.creeps(state) || is_balanced()
     }
 
-    /// Returns the energy with which the bodies cannot part by a velocity that counts, J.
+    /// Returns the energy below which the bodies cannot separate at more than the negligible velocity, J.
     fn parting_j(&self) -> f64 {
         let slow_m_s = PARTING * self.setup.velocity_m_s;
         if !Rule::Parting.applies() {
@@ -143,8 +143,8 @@ impl Equations<'_> {
         }
     }
 
-    /// Returns the remaining energy in a contact without adhesion, J, if it can neither deepen the dent nor part the bodies by a velocity that
-    /// counts: then they move as one.
+    /// Returns the remaining energy in a contact without adhesion, J, if it can neither deepen the dent nor separate the bodies noticeably:
+    /// then they move as one.
     fn rests_in_contact_j(&self, state: &State) -> Option<f64> {
         let ContactLaw::Lumped(lumped) = self.setup.law else { return None };
         let (goes_in, deepest_m) = (self.is_loading(), self.mode.deepest_m);
@@ -169,12 +169,13 @@ impl Equations<'_> {
 
     /// Returns an upper bound of the further depth of the hole, m, while the projectile slips back and forth above its bottom.
     ///
+    /// Limit oscillation: the free oscillation whose peak interface load equals the friction force; with less energy the bodies no longer slip.
     /// Assumption: no slip is longer than the previous one, since the energy decreases. The bound is the sum over the slips towards the
     /// bottom:
     ///
     /// - The first slip covers the present gap.
-    /// - Each further slip except the last starts with more energy than the oscillation whose peak load friction just carries. Their total
-    ///   length is at most half of what friction needs to dissipate the energy above that, minus half of the gap.
+    /// - Each further slip except the last starts with more energy than the limit oscillation. Their total length is at most half of what
+    ///   friction needs to dissipate the energy above that, minus half of the gap.
     /// - The last slip is at most as long as the gap.
     ///
     /// Over this path the load in excess of friction does work on the projectile; the strength in excess of the load stops it at the
@@ -192,8 +193,8 @@ impl Equations<'_> {
             return None;
         }
         let load_at_most_n = |energy_j: f64| {
-            let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, energy_j);
-            larger(pushed_n, pulled_n)
+            let [peak_push_n, peak_pull_n] = self.peak_load_bounds_n(state, energy_j);
+            larger(peak_push_n, peak_pull_n)
         };
         let load_n = load_at_most_n(energy_j);
         let strength_at_n = |q_m: f64| setup.geometry.area_m2(q_m) * setup.strength_pa;
@@ -207,7 +208,8 @@ impl Equations<'_> {
             (false, true) => energy_j,
         };
         let inwards_m = 0.5 * spare_j / here_n + 1.5 * gap_m;
-        let excess_n = larger(load_n - 0.5 * (here_n + bottom_n), 0.0);
+        // The area may be convex in the depth: its least value bounds the friction.
+        let excess_n = larger(load_n - smaller(here_n, bottom_n), 0.0);
         let deepens_m = excess_n * inwards_m / (strength_n - load_n);
         let most_m = mode.deepest_m + deepens_m;
         let is_held = load_n < strength_n
@@ -225,47 +227,47 @@ impl Equations<'_> {
         let energy_j = self.energy_j(state);
         let strength_n = self.strength_n(state);
         let friction_j = larger(self.pull_out_j(state), self.parting_j());
-        // The remaining energy can neither deepen the hole, after friction on the way to its bottom, nor pull the projectile out by a velocity
-        // that counts.
+        // The remaining energy can neither deepen the hole, after friction on the distance to its bottom, nor pull the projectile out
+        // noticeably.
         let [here_m3, bottom_m3] = self.stuck_m3(state);
         let above_m3 = bottom_m3 - here_m3;
         let to_bottom_j = setup.grip * setup.strength_pa * larger(above_m3, 0.0);
-        let is_nothing = |energy_j: f64| {
+        let is_exhausted = |energy_j: f64| {
             energy_j < to_bottom_j + NEGLIGIBLE * mode.deepest_m * strength_n
                 && energy_j < friction_j
         };
         let is_driven = setup.weight_n > 0.0 && self.drives_away(state).is_some();
-        if is_nothing(energy_j) && !is_driven && Rule::EnergySpent.applies() {
+        if is_exhausted(energy_j) && !is_driven && Rule::EnergySpent.applies() {
             return true;
         }
         if !self.leaves(state) && self.meets_rigid_stop(state, energy_j) {
             let on_arrival_j = energy_j - mode.elastic.energy(setup.stop_at_m);
-            if !is_nothing(on_arrival_j) {
+            if !is_exhausted(on_arrival_j) {
                 return false;
             }
         }
-        let (push_n, pull_n) = self.limit_loads_n(state);
-        let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, energy_j);
-        if pushed_n <= push_n && pulled_n <= pull_n {
+        let (limit_push_n, limit_pull_n) = self.limit_loads_n(state);
+        let [peak_push_n, peak_pull_n] = self.peak_load_bounds_n(state, energy_j);
+        if peak_push_n <= limit_push_n && peak_pull_n <= limit_pull_n {
             return true;
         }
         // The following bound does not include the weight.
         if setup.weight_n > 0.0 || !Rule::SlipsWithinFriction.applies() {
             return false;
         }
-        // Slips back and forth in the hole: each starts with more energy than the oscillation whose peak load friction just carries. All
-        // slips except the last thus have a total length of at most the excess energy over the friction. At the bottom their energy is at
+        // Slips back and forth in the hole: each starts with more energy than the limit oscillation (see `deepens_at_most_m`). All slips
+        // except the last thus have a total length of at most the excess energy over the friction. At the bottom their energy is at
         // most the work of the load in excess of friction, which limits the further depth.
         let (q_m, geometry) = (state.q_m, &setup.geometry);
-        let excess_n = larger(pushed_n, pulled_n) - pull_n;
+        let excess_n = larger(peak_push_n, peak_pull_n) - limit_pull_n;
         let may_deepen_m = NEGLIGIBLE * mode.deepest_m * strength_n / excess_n;
         let way_m = smaller(q_m, larger(mode.deepest_m - q_m, may_deepen_m));
         let area = smaller(geometry.area_m2(q_m - way_m), geometry.area_m2(q_m + way_m));
         let friction_n = smaller(setup.grip, 1.0) * setup.strength_pa * area;
         let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
         let is_off_stop = !self.meets_rigid_stop(state, energy_j);
-        let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, larger(left_j, 0.0));
-        way_m > 0.0 && is_off_stop && larger(pushed_n, pulled_n) <= friction_n
+        let [peak_push_n, peak_pull_n] = self.peak_load_bounds_n(state, larger(left_j, 0.0));
+        way_m > 0.0 && is_off_stop && larger(peak_push_n, peak_pull_n) <= friction_n
     }
 
     /// Returns the total remaining slip of an undamped oscillation whose peak load slightly exceeds the limit load, m.
@@ -280,20 +282,21 @@ impl Equations<'_> {
         let is_past = state.w_m_s < 0.0 && far_m <= farthest_m;
         let is_joined = mode.contact == Contact::Fused && state.q_m >= mode.deepest_m;
         // The limit load of a plug decreases with each slip.
-        let keeps = self.is_undamped() && setup.absorber.is_none() && !setup.shears();
-        let keeps = keeps && setup.weight_n == 0.0;
-        let may_slip = setup.plastic && is_past && is_joined && keeps && Rule::LastSlips.applies();
+        let is_conservative = self.is_undamped() && setup.absorber.is_none() && !setup.shears();
+        let is_conservative = is_conservative && setup.weight_n == 0.0;
+        let may_slip =
+            setup.plastic && is_past && is_joined && is_conservative && Rule::LastSlips.applies();
         if !may_slip || self.meets_rigid_stop(state, energy_j) {
             return None;
         }
-        let (push_n, pull_n) = self.limit_loads_n(state);
-        let [pushed_n, pulled_n] = self.peak_load_bounds_n(state, energy_j);
-        let excess = pushed_n / push_n - 1.0;
+        let (limit_push_n, limit_pull_n) = self.limit_loads_n(state);
+        let [peak_push_n, peak_pull_n] = self.peak_load_bounds_n(state, energy_j);
+        let excess = peak_push_n / limit_push_n - 1.0;
         // The peak load occurs at the maximum displacement.
         let grows = mode.elastic.tangent(far_m) > 0.0
-            && setup.interface_fraction() * mode.elastic.force(far_m) > push_n;
+            && setup.interface_fraction() * mode.elastic.force(far_m) > limit_push_n;
         let is_small = excess > 0.0 && excess < LAST_SLIPS && grows;
-        if !is_small || pulled_n > pull_n {
+        if !is_small || peak_pull_n > limit_pull_n {
             return None;
         }
         let (geometry, strength) = (&setup.geometry, setup.strength_pa);
@@ -304,7 +307,7 @@ impl Equations<'_> {
             self.peak_load_bounds_n(state, larger(left_j, 0.0))[0]
                 - geometry.area_m2(q_m) * strength
         };
-        let most_m = 0.5 * setup.joined_kg * state.w_m_s * state.w_m_s / push_n;
+        let most_m = 0.5 * setup.joined_kg * state.w_m_s * state.w_m_s / limit_push_n;
         let is_enough = overload_n(most_m) < 0.0;
         let travel_m = || bracketed_root(0.0, most_m, overload_n) * (1.0 + 4.0 * f64::EPSILON);
         is_enough.then(travel_m)
@@ -489,7 +492,7 @@ mod tests {
         }
     }
 
-    /// Half a millimetre from where its stop begins and from the zero of the spring, which pushes as hard.
+    /// Equilibrium half a millimetre from the zero of the spring and from the onset of the stop, which push equally hard.
     #[test]
     fn valid_a_plate_stands_where_spring_and_stop_hold_each_other() {
         let pairs = "k=1e5 interface=plastic x_stop=-1mm stop_kind=elastic k_stop=1e5";
@@ -520,7 +523,7 @@ mod tests {
         }
     }
 
-    /// `M w' = -b w^m` by fixed steps of Runge and Kutta over the way, `M dw/dx = -b w^(m-1)`.
+    /// `M w' = -b w^m` by the classical Runge-Kutta method with fixed steps of distance, `M dw/dx = -b w^(m-1)`.
     #[test]
     fn valid_a_coasting_plate_keeps_the_velocity_that_its_damper_leaves() {
         for (exponent, b, w, x) in [

@@ -153,7 +153,7 @@ impl ImpactParameters {
     /// Returns the parameters with an integration method.
     pub(super) fn by(mut self, stepping: IntegrationMethod) -> Self {
         self.stepping = stepping;
-        self.creep_m_s *= self.rule_part();
+        self.creep_m_s *= self.threshold_factor();
         self.plug = self.plug.map(|plug| Box::new(plug.by(stepping)));
         self
     }

@@ -22,20 +22,20 @@ const FIRST_MOMENT: f64 = 1e-6;
 /// Minimum ratio of the displacement with inertia alone to the quasi-static displacement, for a plate to count as quasi-static. Inertia
 /// then changes the displacement by about the inverse of this ratio.
 const QUASI_STATIC_RATIO: f64 = 1e2;
-/// Negligible fraction: of the tip radius, for the displacement of a locked plate; of energy and velocity, at a zero: 1e-4 of
-/// the default tolerance.
-pub(super) const HELD: f64 = 1e-13;
+/// Relative threshold for a negligible displacement (of the tip radius), momentum or energy at a singular zero: 1e-4 of the default
+/// tolerance.
+pub(super) const NEGLIGIBLE_AT_ZERO: f64 = 1e-13;
 /// Displacement at which a plate may lock again, relative to that at which it unlocks; the hysteresis avoids an immediate unlock.
 const RELOCK_FRACTION: f64 = 0.5;
-/// Displacement at which a plate that has locked again unlocks, in units of the step tolerance times the depth. The result is the tolerance
-/// of a run.
+/// Ratio of the displacement at which a relocked plate unlocks to the step tolerance times the depth (at most the tip radius). A run has the
+/// same ratio of its tolerance to that of its steps.
 const RELOCK_TOLERANCE_FACTOR: f64 = 1e2;
-/// Part of the balance up to which what inertia and damper take of it is a small correction.
-const SMALL_LAG: f64 = 0.1;
-/// Part of the time in which the contact's force changes over which its rate's difference is taken.
+/// Maximum relative size of the correction for inertia and damping; a larger correction is omitted.
+const MAX_LAG_FRACTION: f64 = 0.1;
+/// Interval of the difference quotient of the force's rate, relative to the time scale of the contact force.
 const DIFFERENCE: f64 = 1e-3;
-/// Part of the lengths and velocities of these rules with which a computation judges another.
-pub(super) const JUDGING: f64 = 1e-2;
+/// Factor on all thresholds of this file in the second computation of an error estimate.
+pub(super) const SECOND_FACTOR: f64 = 1e-2;
 /// Step size towards a singular zero, relative to the time until the plate reaches it. The step then ends at about its own length from the
 /// zero, where polynomials are accurate.
 const SINGULARITY_STEP_FRACTION: f64 = 0.55;
@@ -43,22 +43,22 @@ const SINGULARITY_STEP_FRACTION: f64 = 0.55;
 impl ImpactParameters {
     /// Returns the displacement below which a plate counts as fixed, m: when first locked, or in all further bounces.
     pub(super) fn held_m(&self) -> f64 {
-        self.rule_part() * HELD * self.length_m
+        self.threshold_factor() * NEGLIGIBLE_AT_ZERO * self.length_m
     }
 
-    /// Part of its value that each length, time and velocity has below which a plate at a zero is treated by a rule: less in a computation
-    /// that judges another, so that their difference shows what the rule leaves out.
-    pub(super) fn rule_part(&self) -> f64 {
-        if self.judges() { JUDGING } else { 1.0 }
+    /// Returns the factor on the thresholds of this file: smaller in the second computation of an error estimate, so that the difference of
+    /// both shows what the rules omit.
+    pub(super) fn threshold_factor(&self) -> f64 {
+        if self.is_second() { SECOND_FACTOR } else { 1.0 }
     }
 
-    /// Returns `true` for a computation that judges another.
-    pub(super) fn judges(&self) -> bool {
+    /// Returns `true` for the second computation of an error estimate.
+    pub(super) fn is_second(&self) -> bool {
         matches!(self.stepping, IntegrationMethod::Second(_))
     }
 
-    /// Returns the displacement of a plate that is locked again, at a travel of the projectile.
-    pub(super) fn returned_m(&self, q_m: f64) -> f64 {
+    /// Returns the displacement at which a relocked plate unlocks, m, for a travel of the projectile.
+    pub(super) fn relock_displacement_m(&self, q_m: f64) -> f64 {
         RELOCK_TOLERANCE_FACTOR * self.tolerance * smaller(q_m, self.length_m)
     }
 }
@@ -69,7 +69,9 @@ impl Equations<'_> {
         let (slope_n_m, slope_n_s_m) = self.contact_slopes(0.0, velocity_m_s);
         let by_place_s = smaller(self.setup.passage_s(), (projectile_kg / slope_n_m.abs()).sqrt());
         let slipping_kg = 1.0 / (1.0 / projectile_kg + cos * cos / plate_kg);
-        self.setup.rule_part() * FIRST_MOMENT * smaller(by_place_s, slipping_kg / slope_n_s_m.abs())
+        self.setup.threshold_factor()
+            * FIRST_MOMENT
+            * smaller(by_place_s, slipping_kg / slope_n_s_m.abs())
     }
 
     /// Returns the state after the first moment of a contact, for an uncocked plate whose spring is singular at zero.
@@ -131,12 +133,13 @@ impl Equations<'_> {
         let mut held_m = self.mode.held_m;
         let held_n = setup.spring.force(held_m);
         let by_inertia_m = (held_n / rate_n_s).powi(2) * held_n / (6.0 * setup.plate_kg);
-        let follows = by_inertia_m / (QUASI_STATIC_RATIO * held_m);
-        if follows < 1.0 {
-            // The displacement with inertia alone grows as the cube of the force. For a spring exponent below 1/3 the ratio is larger at a
-            // smaller displacement.
-            let earlier = 1.0 - 3.0 * held_m * setup.spring.tangent(held_m) / held_n;
-            held_m *= if earlier > 0.0 { follows.powf(1.0 / earlier) } else { 0.0 };
+        let inertia_ratio = by_inertia_m / (QUASI_STATIC_RATIO * held_m);
+        if inertia_ratio < 1.0 {
+            // The displacement with inertia alone grows as the cube of the force: the ratio scales as x^(3n-1). For n < 1/3 a smaller
+            // displacement satisfies the condition, otherwise none does.
+            let decay_exponent = 1.0 - 3.0 * held_m * setup.spring.tangent(held_m) / held_n;
+            held_m *=
+                if decay_exponent > 0.0 { inertia_ratio.powf(1.0 / decay_exponent) } else { 0.0 };
         }
         let held_s = setup.spring.force(held_m) / rate_n_s;
         (held_s > self.first_moment_s()).then_some(held_m)
@@ -153,8 +156,8 @@ impl Equations<'_> {
     /// that is a small multiple of the step tolerance and smaller than the maximum displacement so far.
     pub(super) fn locks_again(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
-        let held_m = RELOCK_FRACTION * self.setup.returned_m(state.q_m);
-        // A computation that judges another locks where that one does: the error of a lock of its own would be taken for that of the other.
+        let held_m = RELOCK_FRACTION * self.setup.relock_displacement_m(state.q_m);
+        // The second computation locks where the first does; otherwise its own lock would count as an error of the first.
         let judged_m = match self.setup.stepping {
             IntegrationMethod::Second(judged) => held_m * judged / self.setup.tolerance,
             _ => held_m,
@@ -189,8 +192,8 @@ impl Equations<'_> {
         self.setup.spring.force(self.mode.held_m) - self.push_n(state).abs()
     }
 
-    /// Displacement and velocity of a plate that a steep spring holds and that follows the contact's force: where the spring balances what
-    /// the plate's inertia and its damper leave of that. Without them a plate that is let go would oscillate about this.
+    /// Returns displacement and velocity of the quasi-static plate: spring force = contact force - inertia - damping, to first order. With
+    /// any other state an unlocked plate would oscillate.
     ///
     /// The spring is taken as a power law about its balance, x ~ p^a with a = 1/n; then x''/x = a (a - 1) (p'/p)² + a p''/p.
     pub(super) fn quasi_static_state(&self, state: &State) -> (f64, f64) {
@@ -200,7 +203,7 @@ impl Equations<'_> {
         let balanced = (x_m - self.mode.origin_m, self.rate_n_s(state) / slope_n_m);
         let power = push_n / (slope_n_m * x_m);
         let rate = self.rate_n_s(state) / push_n;
-        let bend = self.bend_n_s2(state) / push_n;
+        let bend = self.force_second_derivative_n_s2(state) / push_n;
         // The third derivative of the force is left out.
         let growth = power * (power - 1.0) * rate * rate + power * bend;
         let growth_rate =
@@ -212,8 +215,8 @@ impl Equations<'_> {
         let damped_m = damper.force(balanced.1) / slope_n_m;
         let damped_m_s = (damper.exponent + 1.0) * (power - 1.0) * rate * damped_m;
         let (off_m, off_m_s) = (lag_m + damped_m, lag_m_s + damped_m_s);
-        let is_small =
-            off_m.abs() < SMALL_LAG * x_m.abs() && off_m_s.abs() < SMALL_LAG * balanced.1.abs();
+        let is_small = off_m.abs() < MAX_LAG_FRACTION * x_m.abs()
+            && off_m_s.abs() < MAX_LAG_FRACTION * balanced.1.abs();
         if is_small && Rule::Lag.applies() {
             (balanced.0 - off_m, balanced.1 - off_m_s)
         } else {
@@ -221,8 +224,8 @@ impl Equations<'_> {
         }
     }
 
-    /// How fast the rate of the contact's force on a plate at rest grows, N/s².
-    fn bend_n_s2(&self, state: &State) -> f64 {
+    /// Returns the second time derivative of the contact force on a plate at rest, by central differences, N/s².
+    fn force_second_derivative_n_s2(&self, state: &State) -> f64 {
         let slows_m_s2 = self.contact_n(state) / self.setup.projectile_kg;
         let by_place_s = smaller(self.setup.passage_s(), (state.q_m / state.u_m_s).abs());
         let moment_s = DIFFERENCE * smaller(by_place_s, (state.u_m_s / slows_m_s2).abs());
@@ -270,7 +273,8 @@ impl Equations<'_> {
         if !damper.is_smooth_at_zero() && state.w_m_s.abs() > creep_m_s {
             let (w_m_s, acceleration) = (state.w_m_s, self.accelerations(state).1);
             let way_s = -w_m_s / acceleration;
-            let counts = damper.force(w_m_s).abs() * way_s > HELD * self.moving_kg() * velocity_m_s;
+            let counts = damper.force(w_m_s).abs() * way_s
+                > NEGLIGIBLE_AT_ZERO * self.moving_kg() * velocity_m_s;
             // If the forces balance, only rounding errors and the error of the velocity remain.
             let off_n = self.damper_slope_n_s_m(w_m_s)
                 * self.setup.tolerance

@@ -75,7 +75,7 @@ impl Recorder {
             self.note(state.t_s, EventKind::Plug);
             self.work.pick_up_j = equations.setup.initial_j() - equations.kinetic_j(state);
         }
-        if equations.setup.judges() {
+        if equations.setup.is_second() {
             self.oscillation.start(equations);
         }
         self.note_mount(equations, state);
@@ -313,7 +313,7 @@ impl Recorder {
         let picks_up = after.setup.shears() && !before.setup.shears();
         self.mark(event, (before, from), (after, to));
         let is_corner = matches!(event, modes::Event::PieceEnd | modes::Event::PieceStart);
-        if is_corner && after.setup.judges() {
+        if is_corner && after.setup.is_second() {
             self.oscillation.corner([before, after], to);
         }
         let lost_j = before.kinetic_j(from) - after.kinetic_j(to);

@@ -7,13 +7,13 @@
 pub(super) enum Rule {
     /// End of a plastic run once the remaining energy can neither deepen the hole nor pull the projectile out.
     EnergySpent,
-    /// End of a plastic run once friction on the remaining way takes all energy above that of an oscillation that it carries.
+    /// End of a plastic run once friction on the remaining distance dissipates all energy above that of the limit oscillation.
     SlipsWithinFriction,
-    /// Interval of the depth of a projectile that slips above the bottom of its hole.
+    /// End of a plastic run while the projectile slips above the bottom of its hole, with an interval for the depth.
     DepthInterval,
-    /// Sum of the last slips from the energy.
+    /// Sum of infinitely many, ever smaller slips from the energy.
     LastSlips,
-    /// End of a contact without adhesion if the remaining energy cannot part the bodies by a velocity that counts.
+    /// End of a contact without adhesion if the remaining energy cannot separate the bodies noticeably.
     Parting,
     /// End of the displacement if the remaining energy cannot exceed its maximum.
     Reach,
@@ -33,15 +33,15 @@ pub(super) enum Rule {
     Relock,
     /// Inertia and damping of the quasi-static plate when it unlocks.
     Lag,
-    /// Step size that ends before a singular zero.
+    /// Limit of the step size before a singular zero.
     Approach,
     /// Passage of a plate through a singular zero with little energy in its spring.
     ZeroPassed,
     /// Rest of a plate whose further bounces are negligible.
     BouncesToRest,
-    /// Tolerance of a second event at the same time, which rounding can put before the first.
+    /// Tolerance for the order of two simultaneous events, which rounding can swap.
     SimultaneousEvents,
-    /// No event that only reverses the event at the same state.
+    /// Suppression of an event that reverses the event at the same state.
     Undone,
 }
 

@@ -26,9 +26,9 @@ use crate::numerics::{larger, smaller};
 
 /// Size of the first step, relative to `R / v_i`.
 const FIRST_STEP: f64 = 0.5;
-/// Factor of the first step of a computation that judges another, if it starts where a law is singular. There the error of the first step
-/// depends on its size more than on the number of stages, and that of the other would be nearly equal.
-const JUDGING_START: f64 = 1.0 / 16.0;
+/// Factor on the first step of the second computation of an error estimate, if a law is singular at the start. The error of that step
+/// depends on its size more than on the number of stages, so that equal steps would have nearly equal errors.
+const SECOND_START: f64 = 1.0 / 16.0;
 /// Step-size factor if an event can precede the first sampling point, which is at this fraction of the step.
 const UNRESOLVED_EVENT_CUT: f64 = 1.0 / 16.0;
 /// Distance from the end of a step, relative to its size, within which an event is taken from the dense output. The error of the dense
@@ -123,8 +123,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             *state = after;
             self.h_s = state.t_s;
             record.first_moment(setup, works_j);
-        } else if setup.judges() && (Equations { setup, mode }).starts_at_singularity() {
-            self.h_s *= JUDGING_START;
+        } else if setup.is_second() && (Equations { setup, mode }).starts_at_singularity() {
+            self.h_s *= SECOND_START;
         }
         if setup.starts_on_stop() && state.w_m_s > 0.0 {
             self.apply_transition(Event::StopReached, self.course.state);

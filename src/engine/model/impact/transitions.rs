@@ -93,7 +93,8 @@ pub(super) fn after(
             }
         }
         Event::SpringHolds => {
-            (next.hold, next.held_m) = (PlateConstraint::Spring, setup.returned_m(state.q_m));
+            (next.hold, next.held_m) =
+                (PlateConstraint::Spring, setup.relock_displacement_m(state.q_m));
             state.u_m_s += setup.cos * state.w_m_s;
             state.w_m_s = 0.0;
         }

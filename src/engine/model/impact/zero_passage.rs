@@ -9,7 +9,7 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::events::{event_function, possible_events};
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, Event, PlateConstraint};
-use crate::model::impact::plate_lock::{HELD, JUDGING};
+use crate::model::impact::plate_lock::{NEGLIGIBLE_AT_ZERO, SECOND_FACTOR};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 
@@ -28,8 +28,8 @@ impl Equations<'_> {
         let is_steady = self.setup.law == ContactLaw::Flow || !self.is_touching();
         let fraction = match self.setup.stepping {
             IntegrationMethod::Collocation(_) if is_steady => 1.0,
-            IntegrationMethod::Second(_) if is_steady => JUDGING,
-            _ => return [HELD; 2],
+            IntegrationMethod::Second(_) if is_steady => SECOND_FACTOR,
+            _ => return [NEGLIGIBLE_AT_ZERO; 2],
         };
         [fraction * PASSED_ENERGY, fraction * PASSED_CHANGE]
     }
@@ -59,7 +59,16 @@ impl Equations<'_> {
         let law = setup.spring.power().filter(|_| !mode.is_pressed)?;
         let lasts_s = 2.0 * way_s;
         let at_zero = State { x_m: -mode.origin_m, ..*state };
+        let [_, fraction] = self.passed_fractions();
+        let is_small = |by: f64, of: f64| lasts_s * by.abs() < fraction * of.abs();
+        let are_small = |slip: f64, plate: f64| {
+            is_small(plate, state.w_m_s) && (!self.is_touching() || is_small(slip, state.u_m_s))
+        };
         let (slip, plate) = self.accelerations(&at_zero);
+        // A strong damper could stop the plate half way, where it has no force.
+        if !are_small(slip, plate) {
+            return None;
+        }
         let half_way = State {
             t_s: state.t_s + way_s,
             q_m: state.q_m + state.u_m_s * way_s,
@@ -68,9 +77,7 @@ impl Equations<'_> {
             ..at_zero
         };
         let (slip, plate) = self.accelerations(&half_way);
-        let [_, fraction] = self.passed_fractions();
-        let is_small = |by: f64, of: f64| lasts_s * by.abs() < fraction * of.abs();
-        if !is_small(plate, state.w_m_s) || self.is_touching() && !is_small(slip, state.u_m_s) {
+        if !are_small(slip, plate) {
             return None;
         }
         let from_m = self.displacement_m(state.x_m);
@@ -164,5 +171,21 @@ mod tests {
         assert!(momentum.abs() < 1e-12 && slip < 0.0 && slip > -1e-4, "{momentum:e} {slip:e}");
         // A slip that may end meanwhile is followed by steps.
         assert_eq!(passes(1e-4), None);
+    }
+
+    /// A damper b w^5 takes more than the velocity on the way to the zero; half way, at a velocity near zero, it would have no force.
+    #[test]
+    fn a_plate_that_its_damper_stops_passes_no_zero() {
+        let state = [0.1, 30.0, 4e-3, -1.0];
+        let passes = |b: f64| {
+            let pairs = format!("gamma=1 k=1 n=2.3 m=5 b={b}");
+            look(&pairs, Contact::Perforated, state, |it, at| {
+                let mode =
+                    HybridMode { hold: PlateConstraint::Free, w_side: -1.0, ..it.mode.clone() };
+                Equations { setup: it.setup, mode: &mode }.passed_zero(at).is_some()
+            })
+        };
+        // b w^4 x / m_2 is the relative change of the velocity on the way.
+        assert!(passes(1e-5) && !passes(0.0295 / 4e-3) && !passes(1.0));
     }
 }

@@ -2,8 +2,9 @@
 //! design.
 //!
 //! [`sampling::search`] draws designs and selects the best; this module evaluates them. Each design is a run with the interface law of the
-//! scene. Its violation is the sum of the relative excess over each constraint and, if only feasible designs count, the number of failed
-//! checks on the unsafe side plus the excess of the shot's velocity over the velocity that the plate stops.
+//! scene. Its violation is the sum of the relative excesses over the constraints. If that is zero and only feasible designs count, it is the
+//! number of failed checks on the unsafe side, plus the relative excess of the impact velocity over the lower end of the band of the limit,
+//! plus 1 if the run perforates.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -67,7 +68,7 @@ pub struct Request {
     pub objectives: Vec<Objective>,
     /// Constraints.
     pub subject_to: Vec<Constraint>,
-    /// Whether a design has to stop the shot, without a warning on the unsafe side.
+    /// Whether a design has to stop the projectile and pass all checks on the unsafe side.
     pub is_feasible: bool,
     /// Number of designs.
     pub samples: usize,
@@ -174,7 +175,7 @@ pub struct FrontReport {
     pub lacks: Vec<MissingObjective>,
     /// Number of designs that are infeasible because of each check.
     pub infeasible: Vec<(Check, usize)>,
-    /// Number of designs that are infeasible because the plate is not known to stop the shot.
+    /// Number of designs that are infeasible because the plate is not known to stop the projectile.
     pub unstopped: usize,
 }
 
@@ -226,7 +227,10 @@ impl Search {
         let own: Option<Vec<f64>> = self.plan.axes().iter().map(fraction).collect();
         let best = sampling::search(inputs, own, samples, &mut |points, best| {
             self.front.designs = self.designs(best);
-            context.show(&self.front).then(|| self.judged(points, context))?
+            if !context.show(&self.front) {
+                return None;
+            }
+            self.evaluate(points, context)
         });
         self.front.designs = self.designs(&best);
         let measure = self.front.request.objectives[0].measure;
@@ -243,7 +247,7 @@ impl Search {
     }
 
     /// Evaluates points of the unit cube; `None` if the search was stopped.
-    fn judged(
+    fn evaluate(
         &mut self,
         points: &[Vec<f64>],
         context: &mut Context<'_, FrontReport>,
@@ -276,7 +280,7 @@ impl Search {
         (!context.is_stopped()).then(|| judged.into_iter().zip(found).collect())
     }
 
-    /// Returns the relative excess of the shot's velocity over the velocity that a design is known to stop, plus 1 if its run perforates.
+    /// Returns the relative excess of the impact velocity over the lower end of the band of the limit, plus 1 if the run perforates.
     fn excess(&self, design: &[f64], outcome: PointOutcome) -> f64 {
         let is_perforated = outcome.is_through();
         let scene = self.plan.scene_of(design);

@@ -1,4 +1,5 @@
-//! Stability of one scene: steps, error and energy residual of `auto` over the tolerance, and the stiffness of the mount.
+//! Convergence of one scene: steps, error and energy residual of the automatic method at several tolerances, and the stiffness ratio of the
+//! mount.
 
 use std::sync::Arc;
 
@@ -20,8 +21,8 @@ pub const TOLERANCES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 #[derive(Clone, Debug)]
 pub struct SceneStability {
     /// Ratio of the contact time to the shortest time scale of spring and damper at first arrest; `None` without a mount or an arrest.
-    pub stiffness: Option<f64>,
-    /// Source of the reference; `None` if no method finished.
+    pub stiffness_ratio: Option<f64>,
+    /// Source of the reference; `None` if no reference run finished.
     pub basis: Option<ReferenceSource>,
     /// Runs, loosest tolerance first.
     pub rows: Vec<ToleranceRow>,
@@ -30,13 +31,14 @@ pub struct SceneStability {
 /// Run at a tolerance.
 #[derive(Clone, Debug)]
 pub struct ToleranceRow {
-    /// Run by `auto`; its scene has the tolerance.
+    /// Run with the automatic method; the tolerance is in its scene.
     pub run: Run,
     /// Largest relative error of all results; NaN if the outcome differs from that of the reference, `None` without a reference.
     pub error: Option<f64>,
 }
 
-/// Runs a scene at each of [`TOLERANCES`] and compares it with a reference of another family of methods.
+/// Runs a scene at each of [`TOLERANCES`] and compares it with a reference by another family of methods; without one, by the engine at
+/// 1e-13.
 ///
 /// # Errors
 /// A [`VariableError`] if the scene is physically impossible.
@@ -49,8 +51,11 @@ pub fn run(
     context.expect(TOLERANCES.len());
     let references = References::from_scene(&Arc::new(scene.clone()), &mut |_| stop.flow());
     let reference = references.other.or(references.engine);
-    let mut found =
-        SceneStability { stiffness: None, basis: reference.map(|it| it.basis), rows: Vec::new() };
+    let mut found = SceneStability {
+        stiffness_ratio: None,
+        basis: reference.map(|it| it.basis),
+        rows: Vec::new(),
+    };
     for tolerance in TOLERANCES {
         if !context.show(&found) {
             break;
@@ -67,7 +72,7 @@ pub fn run(
         }
         context.count(1);
         let error = reference.and_then(|reference| error_of(&run, &reference));
-        found.stiffness = stiffness(&run);
+        found.stiffness_ratio = stiffness_ratio(&run);
         found.rows.push(ToleranceRow { run, error });
     }
     context.show(&found);
@@ -76,7 +81,7 @@ pub fn run(
 
 /// Returns the ratio of the contact time to the shortest time scale of the mount at first arrest: `sqrt(m_2 / k_t)` of the spring's tangent,
 /// `m_2 / b_t` of the damper's.
-fn stiffness(run: &Run) -> Option<f64> {
+fn stiffness_ratio(run: &Run) -> Option<f64> {
     let arrest = run.first_arrest.filter(|_| run.scene.is_sprung())?;
     let Mechanism { spring, damper, .. } = Mechanism::from_scene(&run.scene);
     let plate_kg = moving_plate_kg(&run.scene);
@@ -96,14 +101,14 @@ mod tests {
         run(&scene, &mut Context::new(1, &mut never_cancel)).unwrap()
     }
 
-    /// `t sqrt(k / m_2)` of the stored row S2, 113.5971728972 us, and `t b / m_2` of the row S7.
+    /// `t sqrt(k / m_2)` and `t b / m_2` of the reference scenes S2 and S7 ([`cmra_engine::model::reference`]).
     #[test]
     fn valid_the_stiffness_of_a_spring_and_of_a_damper() {
-        let spring = found("k=1e5").stiffness.unwrap();
+        let spring = found("k=1e5").stiffness_ratio.unwrap();
         assert!((spring / (1.135_971_728_972e-4 * (1e5f64 / 0.0295).sqrt()) - 1.0).abs() < 1e-8);
-        let damper = found("b=1000").stiffness.unwrap();
+        let damper = found("b=1000").stiffness_ratio.unwrap();
         assert!((damper / (1.595_948_209_478e-4 * 1e3 / 0.0295) - 1.0).abs() < 1e-8);
-        assert_eq!(found("k=0 mount=rigid").stiffness, None);
+        assert_eq!(found("k=0 mount=rigid").stiffness_ratio, None);
     }
 
     #[test]
