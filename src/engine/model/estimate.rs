@@ -93,7 +93,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
         EstimateBasis::ClosedForm | EstimateBasis::OutcomeDiffers(_) => (1.0, ROUNDING),
     };
     let struck = run.scene.projectile.velocity_m_s;
-    // Slips that are left out can deepen the hole of an arrest, and push harder there.
+    // Omitted slips can deepen the hole of an arrest, and push harder there.
     let interval = |run: &Run| Some(run.penetration_at_most_m? - run.final_penetration_m?);
     let width = interval(run).unwrap_or(0.0);
     run.error_estimates = RunResult::ALL

@@ -95,14 +95,14 @@ fn run_by(
                 run::run(scene, &setup, &RADAU_IIA_17.to(tolerance), settings, observer)
             }
         }
-        IntegrationMethod::Second(judged) => {
-            let part = if is_analytic { TIGHTER } else { TIGHTER_AT_ZEROS };
-            let tolerance = larger(part * judged, MIN_SECOND_TOLERANCE);
+        IntegrationMethod::Second(first) => {
+            let fraction = if is_analytic { TIGHTER } else { TIGHTER_AT_ZEROS };
+            let tolerance = larger(fraction * first, MIN_SECOND_TOLERANCE);
             let setup = setup(tolerance);
             if is_analytic {
-                run::run(scene, &setup, &RADAU_IIA_17.judging(tolerance), settings, observer)
+                run::run(scene, &setup, &RADAU_IIA_17.for_second(tolerance), settings, observer)
             } else {
-                run::run(scene, &setup, &ELEVEN.judging(tolerance), settings, observer)
+                run::run(scene, &setup, &ELEVEN.for_second(tolerance), settings, observer)
             }
         }
         IntegrationMethod::Radau5(tolerance) => {

@@ -31,7 +31,7 @@ pub fn simulate(
 /// of numerical methods, which have the law in common.
 ///
 /// # Errors
-/// Those of [`simulate`].
+/// A [`VariableError`] under the same conditions as [`simulate`].
 pub fn simulate_by_law_alone(
     scene: &Arc<Scene>,
     settings: &Settings,
@@ -44,7 +44,7 @@ pub fn simulate_by_law_alone(
 fn shoot(
     scene: &Arc<Scene>,
     settings: &Settings,
-    judge: fn(&mut Run),
+    conclude: fn(&mut Run),
     observer: Observer<'_>,
 ) -> Result<Run, VariableError> {
     variables::validate(scene)?;
@@ -53,9 +53,9 @@ fn shoot(
         return Ok(listing::run(scene, *settings, observer));
     }
     let mut run = impact::run(scene, *settings, observer);
-    judge(&mut run);
+    conclude(&mut run);
     let mut unseen = |look: &RunSnapshot<'_>| observer(&RunSnapshot { so_far: &|| None, ..*look });
-    let behind = &mut |plate: Scene| shoot(&Arc::new(plate), settings, judge, &mut unseen);
+    let behind = &mut |plate: Scene| shoot(&Arc::new(plate), settings, conclude, &mut unseen);
     run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
     Ok(run)
 }

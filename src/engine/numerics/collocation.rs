@@ -381,7 +381,7 @@ impl<const S: usize> RadauIia<S> {
     }
 
     /// As a method that steps to this tolerance and shares no error of its iterations with one that is less accurate.
-    pub(crate) fn judging(&self, tolerance: f64) -> Collocation<'_, S> {
+    pub(crate) fn for_second(&self, tolerance: f64) -> Collocation<'_, S> {
         let solved = smaller(SOLVED, SOLVED_SECOND / tolerance);
         Collocation { member: self, tolerance, solved }
     }
@@ -557,14 +557,14 @@ mod tests {
 
     /// cos t: iterations from the constant first guess leave the same error in both members, which the judging one has to go below.
     #[test]
-    fn valid_a_judging_step_is_right_to_rounding_where_a_loose_one_stops_its_iteration() {
+    fn valid_a_second_computation_is_right_to_rounding_where_a_loose_step_stops() {
         let start = ([1.0], [0.0]);
         let off = |method: Collocation<'_, 9>, h: f64| {
             let step = method.solve(&Spring(1.0), start, h, None, &mut 0).unwrap();
             larger((step.end.0[0] - h.cos()).abs(), (step.end.1[0] + h.sin()).abs())
         };
         for h in [0.05, 0.2, 0.4] {
-            assert!(off(RADAU_IIA_17.judging(1e-7), h) < 1e-13, "{h}");
+            assert!(off(RADAU_IIA_17.for_second(1e-7), h) < 1e-13, "{h}");
             assert!(off(RADAU_IIA_17.to(1e-7), h) < 1e-9, "{h}");
         }
         assert!(off(RADAU_IIA_17.to(1e-7), 0.4) > 1e-13);

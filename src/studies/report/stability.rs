@@ -150,7 +150,7 @@ const LEGEND: [(&str, &str); 2] = [
     ),
 ];
 
-/// Returns the report of the test scenes: table, legend and a summary line; `missing` says what an interrupt left out.
+/// Returns the report of the test scenes: table, legend and a summary line; `missing` names the omitted part of an interrupted study.
 pub fn battery_page(rows: &[Row], took_s: f64, is_wide: bool, missing: Option<String>) -> Page {
     let mut keys = vec!["scene"];
     keys.extend(HOW_IT_RAN);

@@ -19,7 +19,7 @@ pub fn claims(report: &[Row]) -> Table<'_, &Row> {
         .field("preset", |row| row.claim.preset)
 }
 
-/// Returns the report of the claims; `missing` says what an interrupt left out.
+/// Returns the report of the claims; `missing` names the omitted part of an interrupted study.
 pub fn page(report: &[Row], missing: Option<String>) -> Page {
     let mut page = Page::default();
     for row in report {

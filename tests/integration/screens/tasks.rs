@@ -68,6 +68,16 @@ impl Newcomer {
     }
 }
 
+/// Figure 9.8 with five points along each axis.
+fn figure_9_8_of_few_points() -> PresetEntry {
+    let found = cmra::files::preset::resolve("figure-9.8", None).unwrap();
+    let (name, mut scene) = (found.name, found.scene);
+    for axis in &mut scene.sweep.as_mut().unwrap().axes {
+        axis.count = 5;
+    }
+    PresetEntry { name, scene, ..PresetEntry::default() }
+}
+
 #[test]
 fn a_newcomer_finds_depth_and_changes_the_scene() {
     let mut task = Newcomer::start();
@@ -91,12 +101,7 @@ fn a_newcomer_finds_depth_and_changes_the_scene() {
 #[test]
 fn a_newcomer_finds_figure_9_8_at_n_0_5() {
     let mut task = Newcomer::start();
-    let found = cmra::files::preset::resolve("figure-9.8", None).unwrap();
-    let (name, mut scene) = (found.name, found.scene);
-    for axis in &mut scene.sweep.as_mut().unwrap().axes {
-        axis.count = 5;
-    }
-    task.0.app.files.presets.push(PresetEntry { name, scene, ..PresetEntry::default() });
+    task.0.app.files.presets.push(figure_9_8_of_few_points());
     task.keys("p").text("9.8").keys("<Enter>");
     let at = |task: &Newcomer| task.0.message().contains(" n 0.5:");
     for _ in 0..10 {
@@ -209,12 +214,7 @@ fn the_cocking_distance_for_60_percent_takes_1_and_for_50_percent_3_more() {
 #[test]
 fn opening_figure_9_8_and_loading_a_design_takes_4_and_the_moves() {
     let mut task = Counted::start();
-    let found = cmra::files::preset::resolve("figure-9.8", None).unwrap();
-    let (name, mut scene) = (found.name, found.scene);
-    for axis in &mut scene.sweep.as_mut().unwrap().axes {
-        axis.count = 5;
-    }
-    task.bench.app.files.presets.push(PresetEntry { name, scene, ..PresetEntry::default() });
+    task.bench.app.files.presets.push(figure_9_8_of_few_points());
     task.key("p").text("9.8").key("<Enter>");
     assert_eq!((task.bench.app.tab, task.bench.app.pane()), (Tab::Explore, explore::RESULTS));
     let before = task.bench.app.scene.mass_ratio();

@@ -119,14 +119,14 @@ impl FusedSwing {
     }
 
     /// Returns the state at a fraction of the phase.
-    pub(super) fn at(&self, part: f64) -> State {
-        self.state(self.from + part * (self.to - self.from))
+    pub(super) fn at(&self, fraction: f64) -> State {
+        self.state(self.from + fraction * (self.to - self.from))
     }
 
     /// Returns the state at a fraction of the time.
-    pub(super) fn at_time(&self, part: f64) -> State {
+    pub(super) fn at_time(&self, fraction: f64) -> State {
         let lasts_s = self.end().t_s - self.start.t_s;
-        self.state(self.phase(self.start.t_s + part * lasts_s))
+        self.state(self.phase(self.start.t_s + fraction * lasts_s))
     }
 
     /// Returns the maximum speed, m/s.

@@ -115,10 +115,10 @@ impl Equations<'_> {
 
     /// Returns the energy below which the bodies cannot separate at more than the negligible velocity, J.
     fn parting_j(&self) -> f64 {
-        let slow_m_s = PARTING * self.setup.velocity_m_s;
         if !Rule::Parting.applies() {
             return 0.0;
         }
+        let slow_m_s = PARTING * self.setup.velocity_m_s;
         0.5 * self.setup.projectile_kg * slow_m_s * slow_m_s
     }
 
@@ -187,8 +187,8 @@ impl Equations<'_> {
         let energy_j = self.energy_j(state);
         let gap_m = mode.deepest_m - state.q_m;
         let is_heavy = setup.weight_n > 0.0;
-        let slips = setup.plastic && mode.contact == Contact::Fused && gap_m > 0.0 && !is_heavy;
-        let slips = slips && Rule::DepthInterval.applies();
+        let is_slipping = setup.plastic && mode.contact == Contact::Fused && gap_m > 0.0;
+        let slips = is_slipping && !is_heavy && Rule::DepthInterval.applies();
         if !slips || gap_m > state.q_m || self.meets_rigid_stop(state, energy_j) {
             return None;
         }

@@ -158,8 +158,8 @@ impl Equations<'_> {
         let spring = &self.setup.spring;
         let held_m = RELOCK_FRACTION * self.setup.relock_displacement_m(state.q_m);
         // The second computation locks where the first does; otherwise its own lock would count as an error of the first.
-        let judged_m = match self.setup.stepping {
-            IntegrationMethod::Second(judged) => held_m * judged / self.setup.tolerance,
+        let first_m = match self.setup.stepping {
+            IntegrationMethod::Second(first) => held_m * first / self.setup.tolerance,
             _ => held_m,
         };
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
@@ -168,7 +168,7 @@ impl Equations<'_> {
             && self.setup.law == ContactLaw::Flow
             && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
             && spring.is_steep_at_zero()
-            && judged_m < farthest_m
+            && first_m < farthest_m
             && self.push_n(state).abs() < spring.force(held_m)
             && speed_j + spring.energy(self.displacement_m(state.x_m)) < spring.energy(held_m)
             && self.rate_n_s(state) <= 0.0
