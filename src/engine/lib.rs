@@ -19,7 +19,7 @@
 //! let arrest = run.first_arrest.expect("the projectile stops in the plate");
 //! let depth_mm = 1e3 * arrest.penetration_m;
 //! assert!((depth_mm - 4.571_788_754_106).abs() < 1e-9); // reference of 19 digits
-//! assert!(run.error_estimate.expect("a complete run has an estimate") < 1e-9);
+//! assert!(run.estimate.main.expect("a complete run has an estimate") < 1e-9);
 //! # Ok::<(), cmra_engine::model::variables::VariableError>(())
 //! ```
 

@@ -73,7 +73,7 @@ fn valid_every_plastic_scene_of_a_surface_is_decided() {
             let least_m = found.final_penetration_m.unwrap();
             intervals += 1;
             let width = (most_m - least_m) / least_m;
-            assert!(found.error_estimate.unwrap() >= width, "{pairs}");
+            assert!(found.estimate.main.unwrap() >= width, "{pairs}");
             assert!(width < 2e-3, "{pairs}: {least_m} {most_m}");
             let long = run_of(&format!("{pairs} run.horizon_s={horizon}"));
             let long_m = long.final_penetration_m.or(long.at_least.penetration_m).unwrap();

@@ -124,7 +124,7 @@ fn assert_estimates_hold(count: usize) {
 
 /// Counts the outputs of a run against those of the references, the tightest last.
 fn compare(counts: &mut Counts, run: &Run, references: [&Run; 3], told: &str) {
-    for (name, estimate) in &run.error_estimates {
+    for (name, estimate) in &run.estimate.by_result {
         let quantity = quantities::find(name).unwrap();
         let [Some(loose), Some(tight), Some(truth)] = references.map(|it| quantity.value(it))
         else {
@@ -183,7 +183,7 @@ fn each_estimate_covers_the_difference_to_a_tight_run() {
         }
         judged += 1;
         perforated += usize::from(run.outcome == Outcome::Perforated);
-        for (name, relative) in run.error_estimates.iter().filter(|it| it.1 < KNOWN_DIGITS) {
+        for (name, relative) in run.estimate.by_result.iter().filter(|it| it.1 < KNOWN_DIGITS) {
             let column = quantities::find(name).unwrap();
             let Some((own, exact)) = column.value(&run).zip(column.value(&tight)) else { continue };
             let off = (own / exact - 1.0).abs();
@@ -213,7 +213,7 @@ fn the_time_of_an_exit_just_above_the_rigid_limit_is_right_to_rounding() {
         let run = simulate(&Arc::new(own.clone()), &settings, &mut |_| ControlFlow::Continue(()));
         let run = run.unwrap();
         let error = (run.exit_time_s.unwrap() / EXIT_TIME_S - 1.0).abs();
-        let estimate = run.error_estimate.unwrap();
+        let estimate = run.estimate.main.unwrap();
         assert!(error < 1e-13, "{error:e}");
         assert!(error <= BELOW * estimate, "{error:e} {estimate:e}");
     }
@@ -295,11 +295,11 @@ fn an_estimate_from_two_outcomes_is_unknown() {
     let mut second = run.clone();
     second.outcome = Outcome::Perforated;
     second.exit_time_s = Some(1.0);
-    run.error_estimates.clear();
+    run.estimate.by_result.clear();
     cmra_engine::model::estimate::set(&mut run, &second, EstimateBasis::SecondComputation);
-    assert_eq!(run.estimate_basis, Some(EstimateBasis::OutcomeDiffers(Outcome::Perforated)));
+    assert_eq!(run.estimate.basis, Some(EstimateBasis::OutcomeDiffers(Outcome::Perforated)));
     assert_eq!(quantities::find("error_estimate").unwrap().value(&run), None);
-    assert!(run.error_estimates.is_empty());
+    assert!(run.estimate.by_result.is_empty());
 }
 
 #[test]
@@ -312,7 +312,7 @@ fn a_rigid_or_free_plate_is_held_against_its_closed_form() {
     ] {
         let scene = cmra_engine::model::variables::changed(Scene::default(), changes).unwrap();
         let run = run_of(&Arc::new(scene));
-        assert_eq!(run.estimate_basis, Some(basis), "{changes}");
+        assert_eq!(run.estimate.basis, Some(basis), "{changes}");
         assert!(run.error_of("peak_contact_force_n").unwrap() <= LEAST, "{changes}");
     }
 }

@@ -103,7 +103,7 @@ fn energy_is_kept_on_every_kind() {
             assert!(run.end.is_complete(), "{kind} {more}: {:?}", run.end);
             let residual = run.ledger.residual();
             assert!(residual.abs() < 2e-12, "{kind} {more}: {residual:e}");
-            let error = run.error_estimate.unwrap_or(0.0);
+            let error = run.estimate.main.unwrap_or(0.0);
             assert!(error < 1e-8, "{kind} {more}: {error:e}");
         }
     }

@@ -55,7 +55,7 @@ fn valid_every_row_of_the_reference_to_1e_9_in_depth_and_time() {
                 close(arrest.plate_velocity_m_s, number(6));
             }
         }
-        let estimate = run.error_estimate.unwrap();
+        let estimate = run.estimate.main.unwrap();
         assert!(estimate < 1e-9, "{}: {estimate}", &row[0]);
         rows += 1;
     }
@@ -242,7 +242,7 @@ fn energy_closes_to_1e_9_on_every_preset() {
         let residual = run.ledger.residual();
         assert!(residual.abs() < 1e-9, "{}: {residual:e}", preset.name);
         assert!(run.end.is_complete(), "{}: {:?}", preset.name, run.end);
-        let estimate = run.error_estimate.unwrap_or(0.0);
+        let estimate = run.estimate.main.unwrap_or(0.0);
         assert!(estimate < 1e-9, "{}: {estimate:e}", preset.name);
         count += 1;
     }

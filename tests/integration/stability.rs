@@ -120,7 +120,7 @@ fn is_bounded(course: &Course) -> bool {
 fn estimate_of(scene: &Arc<Scene>) -> Option<f64> {
     let settings = Settings { estimate: true, ..Settings::BARE };
     let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
-    run.error_estimate
+    run.estimate.main
 }
 
 /// Final depth, or exit time; nothing while undecided.

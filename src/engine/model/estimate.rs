@@ -48,7 +48,7 @@ fn scale(of: RunResult) -> Scale {
 
 /// Returns what the free oscillation that both computations damp changes in a result.
 fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
-    let LeftOut { arrest_m, arrest_m_s, farthest_m, force_n, energy_j } = second.left_out;
+    let LeftOut { arrest_m, arrest_m_s, farthest_m, force_n, energy_j } = second.estimate.left_out;
     match of {
         RunResult::ArrestPenetration
         | RunResult::ArrestPlateDisplacement
@@ -79,8 +79,8 @@ fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
 /// Sets a run's estimates from another computation of the same scene. They are infinite if the outcomes differ.
 pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
     if run.outcome != second.outcome {
-        run.estimate_basis = Some(EstimateBasis::OutcomeDiffers(second.outcome));
-        run.error_estimate = Some(f64::INFINITY);
+        run.estimate.basis = Some(EstimateBasis::OutcomeDiffers(second.outcome));
+        run.estimate.main = Some(f64::INFINITY);
         return;
     }
     let (factor, floor) = match basis {
@@ -96,7 +96,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
     // Omitted slips can deepen the hole of an arrest, and push harder there.
     let interval = |run: &Run| Some(run.penetration_at_most_m? - run.final_penetration_m?);
     let width = interval(run).unwrap_or(0.0);
-    run.error_estimates = RunResult::ALL
+    run.estimate.by_result = RunResult::ALL
         .into_iter()
         .filter_map(|of| {
             let value = |run: &Run| of.value(run).filter(|value| value.is_finite());
@@ -129,9 +129,9 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
             RunResult::FinalPenetration
         }
     };
-    let found = run.error_estimates.iter().find(|error| error.0 == main_result.key());
-    run.error_estimate = found.map(|error| error.1);
-    run.estimate_basis = found.map(|_| basis);
+    let found = run.estimate.by_result.iter().find(|error| error.0 == main_result.key());
+    run.estimate.main = found.map(|error| error.1);
+    run.estimate.basis = found.map(|_| basis);
 }
 
 /// Returns the error relative to the value, at least a floor; `None` for zero.

@@ -10,11 +10,13 @@ use crate::numerics::larger;
 
 mod check;
 pub mod envelope;
+mod error_estimate;
 mod result;
 mod settings;
 mod warning;
 
 pub use crate::model::stack::StackRun;
+pub use error_estimate::{ErrorEstimate, EstimateBasis, LeftOut};
 pub use result::RunResult;
 pub use settings::{EVERY_ROWS_MAX, Settings, WORK_MAX};
 pub use warning::{NotModelled, RunWarning, Warning};
@@ -74,12 +76,8 @@ pub struct Run {
     pub interface_demand_ratio: Option<f64>,
     /// Maximum tension of the fused interface, relative to its strength `g A S_y`; infinite for g = 0, `None` if it can separate.
     pub interface_tension_ratio: Option<f64>,
-    /// Relative error estimate of the final depth (for a perforation of the exit time); infinite if unknown.
-    pub error_estimate: Option<f64>,
-    /// Source of the error estimates.
-    pub estimate_basis: Option<EstimateBasis>,
-    /// Relative error estimates of the results, by name.
-    pub error_estimates: Vec<(&'static str, f64)>,
+    /// Relative error estimates of the results.
+    pub estimate: ErrorEstimate,
     /// Time series; two rows at the same time at a discontinuity. Empty unless requested.
     pub series: Vec<Sample>,
     /// Events in order of time.
@@ -92,8 +90,6 @@ pub struct Run {
     pub stack: Option<Arc<StackRun>>,
     /// Results of the same shot with a plastic interface; `Some` for a fused run if both were requested.
     pub plastic: Option<Arc<Self>>,
-    /// Free oscillation of the plate that the method damped; of the second computation of an estimate only.
-    pub left_out: LeftOut,
     /// Cost of the computation.
     pub cost: Cost,
     /// Terms without effect in this scene, which were not computed.
@@ -246,19 +242,6 @@ labelled_enum! {
     }
 }
 
-/// Source of an error estimate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EstimateBasis {
-    /// Difference from a second computation of higher order and tighter tolerance, times a safety factor.
-    SecondComputation,
-    /// Difference from the closed form.
-    ClosedForm,
-    /// Unknown: the second computation has this other outcome.
-    OutcomeDiffers(Outcome),
-    /// Twice the difference from the same first-order scheme with half the step size: the error relative to the limit of the scheme.
-    HalfStep,
-}
-
 /// Energy balance, J: initial kinetic energy and preload of the spring, and the terms they were converted into.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct EnergyLedger {
@@ -330,21 +313,6 @@ pub struct AtLeast {
     pub penetration_m: Option<f64>,
     /// Maximum displacement of the plate so far, m.
     pub plate_displacement_m: Option<f64>,
-}
-
-/// Amplitudes of a free oscillation about the balance of contact and spring that a computation leaves out.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct LeftOut {
-    /// Displacement of the plate at the first arrest, m.
-    pub arrest_m: f64,
-    /// Velocity of the plate at the first arrest, m/s.
-    pub arrest_m_s: f64,
-    /// Displacement of the plate at its maximum, m.
-    pub farthest_m: f64,
-    /// Force of the spring there, N.
-    pub force_n: f64,
-    /// Energy of the spring there, J.
-    pub energy_j: f64,
 }
 
 /// Loads of the mechanism.
@@ -432,7 +400,7 @@ impl Run {
 
     /// Returns the relative error estimate of a result; for a stack the maximum over its plates.
     pub fn error_of(&self, name: &str) -> Option<f64> {
-        let errors = self.plates().flat_map(|run| &run.error_estimates);
+        let errors = self.plates().flat_map(|run| &run.estimate.by_result);
         errors.filter(|error| error.0 == name).map(|error| error.1).reduce(larger)
     }
 

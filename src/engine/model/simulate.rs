@@ -7,7 +7,8 @@ use std::sync::Arc;
 use crate::model::appendix::listing;
 use crate::model::impact;
 use crate::model::run::{
-    AtLeast, ContactMode, EndReason, MechanismLoad, Outcome, Run, RunWarning, WORK_MAX, envelope,
+    AtLeast, ContactMode, EndReason, ErrorEstimate, MechanismLoad, Outcome, Run, RunWarning,
+    WORK_MAX, envelope,
 };
 pub use crate::model::run::{Observer, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
@@ -82,8 +83,7 @@ fn withhold_perforation(run: &mut Run) {
         residual_velocity_m_s: None,
         plate_velocity_after_m_s: None,
         exit_time_s: None,
-        error_estimate: None,
-        error_estimates: Vec::new(),
+        estimate: ErrorEstimate { basis: run.estimate.basis, ..ErrorEstimate::default() },
         mechanism: MechanismLoad { added_kg, spring_mass_kg, ..MechanismLoad::default() },
         ..std::mem::take(run)
     };

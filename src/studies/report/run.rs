@@ -171,7 +171,7 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
     object["penetration_at_most_m"] = run.penetration_at_most_m.into();
     object["nose_protrusion_m"] = run.protrusion_m().into();
-    let basis = run.estimate_basis.map(|basis| match basis {
+    let basis = run.estimate.basis.map(|basis| match basis {
         EstimateBasis::SecondComputation => "second computation",
         EstimateBasis::ClosedForm => "closed form",
         EstimateBasis::HalfStep => "half the step",
@@ -179,7 +179,7 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     });
     object["error_estimate_basis"] = basis.into();
     let exists = |name| find(name).is_some_and(|it| run.stack.is_none() || it.value(run).is_some());
-    let names = run.error_estimates.iter().map(|error| error.0).filter(|name| exists(name));
+    let names = run.estimate.by_result.iter().map(|error| error.0).filter(|name| exists(name));
     let errors = names.map(|name| (name.to_owned(), run.error_of(name).into()));
     object["error_estimates"] = Value::Object(errors.collect());
     object["method"] = run.cost.method.into();

@@ -53,7 +53,7 @@ pub fn scene_table(found: &SceneStability) -> Table<'_, &ToleranceRow> {
         .with("error", "error", "", |row| row.error)
         .shown(move |_, value| Some(format!("{}{letter}", small(value)?)))
         .with("greatest_estimate", "estimate", "", |row| {
-            row.run.error_estimates.iter().map(|it| it.1).reduce(larger)
+            row.run.estimate.by_result.iter().map(|it| it.1).reduce(larger)
         })
         .shown(move |_, value| small(value))
 }

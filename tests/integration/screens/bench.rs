@@ -18,8 +18,8 @@ use cmra::worker::studies::{StudyRequest, StudyResult};
 use cmra::worker::{JobProgress, ReportBody, Task, TaskReport};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{
-    Arrest, ContactMode, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind,
-    MechanismLoad, Outcome, Run, RunWarning, Sample,
+    Arrest, ContactMode, Cost, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis, Event,
+    EventKind, MechanismLoad, Outcome, Run, RunWarning, Sample,
 };
 use cmra_engine::model::scene::{Mount, PlateSize, Scene};
 use cmra_studies::study::context::{Answer, Progress, Reach};
@@ -419,9 +419,11 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         separation: None,
         interface_demand_ratio: Some(0.108),
         interface_tension_ratio: Some(0.0),
-        error_estimate: Some(3e-12),
-        estimate_basis: Some(EstimateBasis::SecondComputation),
-        error_estimates: Vec::new(),
+        estimate: ErrorEstimate {
+            main: Some(3e-12),
+            basis: Some(EstimateBasis::SecondComputation),
+            ..ErrorEstimate::default()
+        },
         series: shape.series(TURN_S),
         events: vec![
             Event { t_s: 55e-6, kind: EventKind::NoseBuried },
@@ -430,7 +432,6 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         ],
         ledger: ledger(rigid),
         mechanism: MechanismLoad { peak_mount_n: Some(mount_n(scene)), ..MechanismLoad::default() },
-        left_out: cmra_engine::model::run::LeftOut::default(),
         stack: None,
         plastic: None,
         cost: cost(rigid),

@@ -21,8 +21,8 @@ fn real(scene: &Arc<Scene>) -> Run {
     let mut run = simulate(scene, &Settings::SERIES, go_on).expect("a valid scene");
     add_plastic(&mut run, go_on);
     // What depends on the method is not what these pictures are about.
-    run.error_estimate = Some(4e-15);
-    run.estimate_basis = Some(EstimateBasis::SecondComputation);
+    run.estimate.main = Some(4e-15);
+    run.estimate.basis = Some(EstimateBasis::SecondComputation);
     run.omitted = vec!["damper", "stop"];
     run
 }

@@ -103,7 +103,7 @@ fn the_lumped_interface_only_pushes_and_its_ledger_closes_on_a_spring_with_a_dam
     assert!(run.series.iter().all(|row| row.contact_force_n > -1e-6 * strongest));
     assert!(run.ledger.residual().abs() < 1e-8, "{}", run.ledger.residual());
     assert!(run.events.iter().any(|event| event.kind == EventKind::FirstArrest));
-    assert!(run.error_estimate.unwrap() < 1e-8);
+    assert!(run.estimate.main.unwrap() < 1e-8);
 }
 
 #[test]
@@ -281,7 +281,7 @@ fn valid_every_error_corrected_the_listing_converges_to_the_simulation() {
     assert!(close(depth_mm(&own), depth_mm(&reference), 1e-6));
     let travel = reference.max_plate_displacement_m.unwrap();
     assert!(close(own.max_plate_displacement_m.unwrap(), travel, 1e-5));
-    assert!(own.error_estimate.unwrap() < 1e-5);
+    assert!(own.estimate.main.unwrap() < 1e-5);
 }
 
 #[test]

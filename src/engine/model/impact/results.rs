@@ -13,8 +13,8 @@ use crate::model::impact::recorder::Recorder;
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
-    AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, EventKind, LeftOut, MechanismLoad,
-    NotModelled, Outcome, Run, RunWarning, Sample,
+    AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, ErrorEstimate, EventKind, LeftOut,
+    MechanismLoad, NotModelled, Outcome, Run, RunWarning, Sample,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -437,7 +437,10 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
         events,
         ledger: course.ledger(),
         mechanism: course.load(max_plate_displacement_m),
-        left_out: course.left_out(max_plate_displacement_m),
+        estimate: ErrorEstimate {
+            left_out: course.left_out(max_plate_displacement_m),
+            ..ErrorEstimate::default()
+        },
         cost: Cost {
             method: "Radau IIA 17",
             reason: "one implicit method of high order: smooth, stiff and steep alike",

@@ -331,12 +331,12 @@ fn a_run_takes_no_more_work_than_it_may() {
     let depth_m = whole.final_penetration_m.unwrap();
     let few = by(needed / 2);
     assert_eq!((few.end, few.final_penetration_m), (EndReason::StepBudget, None));
-    assert!(few.cost.work() < needed && few.error_estimate.is_none());
+    assert!(few.cost.work() < needed && few.estimate.main.is_none());
     assert!(few.at_least.penetration_m.unwrap() < depth_m);
     assert!(few.penetration_at_most_m.is_none_or(|most_m| most_m > depth_m));
     let alone = by(needed);
     assert_eq!(alone.final_penetration_m, whole.final_penetration_m);
-    assert!(whole.error_estimate.unwrap() < 1e-9 && alone.error_estimate == Some(f64::INFINITY));
+    assert!(whole.estimate.main.unwrap() < 1e-9 && alone.estimate.main == Some(f64::INFINITY));
 }
 
 /// Greatest travel and displacement of a lumped contact, m, by the classical Runge-Kutta method in equal steps: masses, spring and damper of

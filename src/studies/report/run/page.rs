@@ -312,8 +312,8 @@ pub fn computation(run: &Run, took_s: Option<f64>) -> Vec<Labelled> {
 
 /// Describes the error estimate and its basis; `None` without an estimate.
 fn error(run: &Run) -> Option<String> {
-    let estimate = run.error_estimate?;
-    let basis = match run.estimate_basis? {
+    let estimate = run.estimate.main?;
+    let basis = match run.estimate.basis? {
         EstimateBasis::SecondComputation => "from a second, more accurate computation",
         EstimateBasis::ClosedForm => "from the closed form",
         EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
@@ -330,8 +330,8 @@ fn error(run: &Run) -> Option<String> {
 
 /// Describes the largest error estimate of all results.
 fn largest_error(run: &Run) -> Option<String> {
-    run.error_estimate?;
-    let estimates = run.error_estimates.iter();
+    run.estimate.main?;
+    let estimates = run.estimate.by_result.iter();
     let (name, error) = estimates.max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(format!("{} of all results ({})", units::below(*error), quantities::find(name)?.title()))
 }

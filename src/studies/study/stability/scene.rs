@@ -121,7 +121,7 @@ mod tests {
                     row.error.unwrap() < larger(10.0 * tolerance, 1e-10),
                     "{pairs} {tolerance}"
                 );
-                assert!(row.run.error_estimate.is_some() && row.run.cost.steps > 0, "{pairs}");
+                assert!(row.run.estimate.main.is_some() && row.run.cost.steps > 0, "{pairs}");
             }
             assert_eq!(found.rows.len(), TOLERANCES.len());
         }
