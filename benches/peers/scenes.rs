@@ -66,7 +66,7 @@ impl Reference {
         let run = run.expect("a valid scene");
         let run = run.expect("a power law");
         let arrest = run.first_arrest.map(|arrest| (arrest.t_s, Some(arrest.penetration_m)));
-        let end = arrest.or_else(|| Some((run.exit_time_s?, None)));
+        let end = arrest.or_else(|| Some((run.departure.exit_time_s?, None)));
         let (t_s, depth_m) = end.expect("a reference for each scene");
         let source = if is_immobile { "DOP853 at 1e-14: immobile" } else { "DOP853 at 1e-14" };
         Self { t_s, depth_m, source }

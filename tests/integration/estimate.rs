@@ -212,7 +212,7 @@ fn the_time_of_an_exit_just_above_the_rigid_limit_is_right_to_rounding() {
         let settings = Settings { series, ..Settings::default() };
         let run = simulate(&Arc::new(own.clone()), &settings, &mut |_| ControlFlow::Continue(()));
         let run = run.unwrap();
-        let error = (run.exit_time_s.unwrap() / EXIT_TIME_S - 1.0).abs();
+        let error = (run.departure.exit_time_s.unwrap() / EXIT_TIME_S - 1.0).abs();
         let estimate = run.estimate.main.unwrap();
         assert!(error < 1e-13, "{error:e}");
         assert!(error <= BELOW * estimate, "{error:e} {estimate:e}");
@@ -294,7 +294,7 @@ fn an_estimate_from_two_outcomes_is_unknown() {
     let mut run = run_of(&scene);
     let mut second = run.clone();
     second.outcome = Outcome::Perforated;
-    second.exit_time_s = Some(1.0);
+    second.departure.exit_time_s = Some(1.0);
     run.estimate.by_result.clear();
     cmra_engine::model::estimate::set(&mut run, &second, EstimateBasis::SecondComputation);
     assert_eq!(run.estimate.basis, Some(EstimateBasis::OutcomeDiffers(Outcome::Perforated)));

@@ -146,10 +146,12 @@ impl<'a> Beside<'a> {
                 found.push(format!("first arrest {arrest:?}, not {:?}", shot.first_arrest));
             }
         }
-        if run.exit_time_s.is_some() != shot.exit.is_some() {
-            found.push(format!("exit {:?}, not {:?}", run.exit_time_s, shot.exit));
-        } else if let Some(t_s) = run.exit_time_s.filter(|_| both(|shot| shot.exit.is_some())) {
-            let left = run.residual_velocity_m_s.unwrap();
+        if run.departure.exit_time_s.is_some() != shot.exit.is_some() {
+            found.push(format!("exit {:?}, not {:?}", run.departure.exit_time_s, shot.exit));
+        } else if let Some(t_s) =
+            run.departure.exit_time_s.filter(|_| both(|shot| shot.exit.is_some()))
+        {
+            let left = run.departure.residual_velocity_m_s.unwrap();
             let fits = self.agrees(t_s, |shot| shot.exit.unwrap().0)
                 && (self.agrees(left, |shot| shot.velocity_m_s(shot.exit.unwrap().1))
                     || left.abs() < 1e-3);

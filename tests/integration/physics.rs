@@ -44,7 +44,7 @@ fn valid_every_row_of_the_reference_to_1e_9_in_depth_and_time() {
         let run = run(&row[1]);
         if &row[2] == "perf" {
             assert_eq!(run.outcome, Outcome::Perforated, "{}", &row[0]);
-            close(run.exit_time_s.unwrap(), number(3));
+            close(run.departure.exit_time_s.unwrap(), number(3));
             close(depth(&run), number(4));
         } else {
             let arrest = run.first_arrest.unwrap();
@@ -94,8 +94,9 @@ fn valid_limit_velocities_and_residual_velocity_beyond_them() {
         let c = 0.25 * 2710.0;
         let limit = (1.52e8 / c * (2.0 * c * swept / mass).exp_m1()).sqrt();
         let left = ((400f64.powi(2) - limit * limit) * (-2.0 * c * swept / mass).exp()).sqrt();
-        let plate = shot.series.iter().find(|row| row.t_s >= shot.exit_time_s.unwrap()).unwrap();
-        let residual = shot.residual_velocity_m_s.unwrap() - plate.plate_velocity_m_s;
+        let plate =
+            shot.series.iter().find(|row| row.t_s >= shot.departure.exit_time_s.unwrap()).unwrap();
+        let residual = shot.departure.residual_velocity_m_s.unwrap() - plate.plate_velocity_m_s;
         assert_near(residual, left, 1e-12);
     }
 }
@@ -141,7 +142,7 @@ fn valid_cocked_fused_warns_and_plastic_resumes() {
     // With a grip that never slips an independent integration has the plate perforated with 86 m/s left.
     let gripped = run("d=0.5 k=1e5 interface=plastic g=1000");
     assert_eq!(gripped.outcome, Outcome::Perforated);
-    assert!((gripped.residual_velocity_m_s.unwrap() - 86.0).abs() < 0.5);
+    assert!((gripped.departure.residual_velocity_m_s.unwrap() - 86.0).abs() < 0.5);
 }
 
 /// Two independent integrators agree to 11 digits.
@@ -156,7 +157,7 @@ fn valid_interface_laws_at_gamma_0_8_and_k_7_5e6() {
     assert_near(depth(&plastic), 4.699_991_272_2e-3, 2e-11);
     assert_near(plastic.max_plate_displacement_m.unwrap(), 4.330_004_180_4e-3, 2e-11);
     assert_eq!(plastic.outcome, Outcome::Separated);
-    assert_near(plastic.separation.unwrap().velocity_m_s, -43.646_136_826, 2e-11);
+    assert_near(plastic.departure.separation.unwrap().velocity_m_s, -43.646_136_826, 2e-11);
 }
 
 /// A rigid stop leaves the projectile its common speed: it penetrates on as into a rigid plate, and the volumes add up.

@@ -25,7 +25,7 @@ fn of_run(run: &Run) -> Option<Measure> {
     if let Some(arrest) = run.first_arrest {
         return Some((true, arrest.penetration_m));
     }
-    run.exit_time_s.map(|t_s| (false, t_s))
+    run.departure.exit_time_s.map(|t_s| (false, t_s))
 }
 
 fn by_engine(scene: &Arc<Scene>) -> Option<Measure> {

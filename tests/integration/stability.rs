@@ -126,7 +126,7 @@ fn estimate_of(scene: &Arc<Scene>) -> Option<f64> {
 /// Final depth, or exit time; nothing while undecided.
 fn measure(run: &Run) -> Option<f64> {
     match run.outcome {
-        Outcome::Perforated => run.exit_time_s,
+        Outcome::Perforated => run.departure.exit_time_s,
         Outcome::Arrested | Outcome::Separated => run.final_penetration_m,
         Outcome::Moving | Outcome::Unmeasured => None,
     }
@@ -148,10 +148,10 @@ fn class_of(course: &Course) -> Option<Class> {
     let run = &course.run;
     let results = [
         run.final_penetration_m,
-        run.exit_time_s,
-        run.residual_velocity_m_s,
+        run.departure.exit_time_s,
+        run.departure.residual_velocity_m_s,
         run.max_plate_displacement_m,
-        run.separation.map(|separation| separation.velocity_m_s),
+        run.departure.separation.map(|separation| separation.velocity_m_s),
         run.peak_contact_force_n,
     ];
     let residual = run.ledger.residual();

@@ -94,7 +94,7 @@ fn valid_free_plates_leave_the_velocity_of_the_closed_form() {
         let limit = s / c * (2.0 * c * volume / mu).exp_m1();
         let slip = ((velocity * velocity - limit) * (-2.0 * c * volume / mu).exp()).sqrt();
         velocity = 0.5 * (velocity + slip);
-        assert_near(run.residual_velocity_m_s.unwrap(), velocity, 1e-10);
+        assert_near(run.departure.residual_velocity_m_s.unwrap(), velocity, 1e-10);
     }
     // The base plate is rigid: it stops where V = m/(2c) ln(1 + c v²/S).
     assert_eq!((stack.behind.len(), stack.outcome), (3, Outcome::Arrested));
@@ -116,7 +116,7 @@ fn a_base_plate_too_thin_is_perforated_with_a_residual_velocity() {
         (2, Outcome::Perforated, None)
     );
     let left = stack.residual_velocity_m_s.unwrap();
-    assert_eq!(Some(left), stack.behind.last().unwrap().residual_velocity_m_s);
+    assert_eq!(Some(left), stack.behind.last().unwrap().departure.residual_velocity_m_s);
     assert!(left > 200.0 && left < 400.0, "{left}");
 }
 

@@ -14,7 +14,7 @@
 use crate::model::contact::{AreaPiece, Geometry};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::plug::Plug;
-use crate::model::run::{Arrest, Outcome, Run};
+use crate::model::run::{Arrest, Departure, Outcome, Run};
 use crate::model::scene::{ContactModel, Criterion, Scene};
 use crate::numerics::quadrature::converged;
 use crate::numerics::root::bracketed_root;
@@ -335,8 +335,11 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
         peak_contact_force_n: Some(larger(passage.peak_n(end_m), of_plug_n)),
         // The shot only accelerates the plate.
         max_plate_displacement_m: (plate_m_s <= 0.0).then(|| scene.start_m()),
-        residual_velocity_m_s: exit_s.map(|_| left_m_s + plate_m_s),
-        exit_time_s: exit_s,
+        departure: Departure {
+            residual_velocity_m_s: exit_s.map(|_| left_m_s + plate_m_s),
+            exit_time_s: exit_s,
+            ..Departure::default()
+        },
         ..Run::default()
     })
 }
@@ -391,8 +394,8 @@ mod tests {
                 [
                     run.final_penetration_m,
                     run.peak_contact_force_n,
-                    run.residual_velocity_m_s,
-                    run.exit_time_s,
+                    run.departure.residual_velocity_m_s,
+                    run.departure.exit_time_s,
                     run.max_plate_displacement_m,
                     arrest.map(|arrest| arrest.t_s),
                     arrest.map(|arrest| arrest.plate_displacement_m),

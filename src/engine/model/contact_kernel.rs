@@ -257,7 +257,9 @@ mod tests {
     fn full(scene: &Scene) -> (f64, f64) {
         let run = bare_run(scene);
         let arrest = run.first_arrest.map(|arrest| (arrest.t_s, arrest.penetration_m));
-        arrest.unwrap_or_else(|| (run.exit_time_s.unwrap(), run.final_penetration_m.unwrap()))
+        arrest.unwrap_or_else(|| {
+            (run.departure.exit_time_s.unwrap(), run.final_penetration_m.unwrap())
+        })
     }
 
     /// Random scenes of a test.
@@ -376,7 +378,8 @@ mod tests {
         own.run.tolerance = 1e-13;
         let run = bare_run(&own);
         let Some(arrest) = run.first_arrest.filter(|_| end.arrested) else {
-            let (t_s, depth_m) = (run.exit_time_s.unwrap(), run.final_penetration_m.unwrap());
+            let (t_s, depth_m) =
+                (run.departure.exit_time_s.unwrap(), run.final_penetration_m.unwrap());
             return larger((end.t_s / t_s - 1.0).abs(), (end.penetration_m / depth_m - 1.0).abs());
         };
         let exact = ContactEnd {

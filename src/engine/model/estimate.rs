@@ -105,7 +105,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
                 Scale::Own => 0.0,
                 Scale::ImpactVelocity => ROUNDING * struck / value.abs(),
                 Scale::LimitVelocity => {
-                    f64::EPSILON * (struck / run.residual_velocity_m_s?).powi(2)
+                    f64::EPSILON * (struck / run.departure.residual_velocity_m_s?).powi(2)
                 }
                 Scale::CockingDistance => ROUNDING * run.scene.start_m().abs() / value.abs(),
             };

@@ -64,14 +64,8 @@ pub struct Run {
     pub at_least: AtLeast,
     /// Upper bound of a depth that is not final, by energy, m; `None` if the depth is final, or if the bound perforates.
     pub penetration_at_most_m: Option<f64>,
-    /// Projectile velocity after perforation, m/s.
-    pub residual_velocity_m_s: Option<f64>,
-    /// Time at which the nose left the rear face, s.
-    pub exit_time_s: Option<f64>,
-    /// Time and velocities at which the projectile left through the entry face.
-    pub separation: Option<Departure>,
-    /// Velocity of the plate when the projectile leaves it through either face, m/s.
-    pub plate_velocity_after_m_s: Option<f64>,
+    /// Departure of the projectile through the rear or the entry face.
+    pub departure: Departure,
     /// Maximum compression of the fused interface, relative to its strength A `S_y`.
     pub interface_demand_ratio: Option<f64>,
     /// Maximum tension of the fused interface, relative to its strength `g A S_y`; infinite for g = 0, `None` if it can separate.
@@ -148,9 +142,22 @@ pub struct Arrest {
     pub plate_velocity_m_s: f64,
 }
 
-/// Departure of a projectile from the plate.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Departure of the projectile from the plate; all `None` while it stays.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Departure {
+    /// Time at which the nose left the rear face, s.
+    pub exit_time_s: Option<f64>,
+    /// Projectile velocity after perforation, m/s.
+    pub residual_velocity_m_s: Option<f64>,
+    /// Time and velocities at which the projectile left through the entry face.
+    pub separation: Option<Parting>,
+    /// Velocity of the plate when the projectile leaves it through either face, m/s.
+    pub plate_velocity_m_s: Option<f64>,
+}
+
+/// Time and velocities when projectile and plate part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parting {
     /// Time since first contact, s.
     pub t_s: f64,
     /// Velocity of the projectile, m/s.
@@ -406,7 +413,9 @@ impl Run {
 
     /// Returns the residual velocity behind the plate, or behind the last plate of a stack, m/s.
     pub fn shot_residual_m_s(&self) -> Option<f64> {
-        self.stack.as_ref().map_or(self.residual_velocity_m_s, |stack| stack.residual_velocity_m_s)
+        self.stack
+            .as_ref()
+            .map_or(self.departure.residual_velocity_m_s, |stack| stack.residual_velocity_m_s)
     }
 
     /// Returns how far the nose of an arrested projectile protrudes from the rear face, m: by the army criterion a complete penetration.
@@ -439,6 +448,8 @@ impl Run {
     /// Returns the end of the contact, s: first arrest, perforation, or end of the run.
     pub fn contact_end_s(&self) -> f64 {
         let arrest = self.first_arrest.map(|arrest| arrest.t_s);
-        arrest.or(self.exit_time_s).unwrap_or_else(|| self.series.last().map_or(0.0, |row| row.t_s))
+        arrest
+            .or(self.departure.exit_time_s)
+            .unwrap_or_else(|| self.series.last().map_or(0.0, |row| row.t_s))
     }
 }

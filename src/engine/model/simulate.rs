@@ -7,8 +7,8 @@ use std::sync::Arc;
 use crate::model::appendix::listing;
 use crate::model::impact;
 use crate::model::run::{
-    AtLeast, ContactMode, EndReason, ErrorEstimate, MechanismLoad, Outcome, Run, RunWarning,
-    WORK_MAX, envelope,
+    AtLeast, ContactMode, Departure, EndReason, ErrorEstimate, MechanismLoad, Outcome, Run,
+    RunWarning, WORK_MAX, envelope,
 };
 pub use crate::model::run::{Observer, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
@@ -70,7 +70,7 @@ fn withhold_perforation(run: &mut Run) {
     if run.outcome != Outcome::Perforated {
         return;
     }
-    let exit_s = run.exit_time_s.unwrap_or(f64::INFINITY);
+    let exit_s = run.departure.exit_time_s.unwrap_or(f64::INFINITY);
     run.events.retain(|event| event.t_s < exit_s);
     run.series.retain(|row| row.mode != ContactMode::Perforated);
     let MechanismLoad { added_kg, spring_mass_kg, .. } = run.mechanism;
@@ -80,9 +80,7 @@ fn withhold_perforation(run: &mut Run) {
         max_plate_displacement_m: None,
         at_least: AtLeast::default(),
         penetration_at_most_m: None,
-        residual_velocity_m_s: None,
-        plate_velocity_after_m_s: None,
-        exit_time_s: None,
+        departure: Departure::default(),
         estimate: ErrorEstimate { basis: run.estimate.basis, ..ErrorEstimate::default() },
         mechanism: MechanismLoad { added_kg, spring_mass_kg, ..MechanismLoad::default() },
         ..std::mem::take(run)
@@ -157,7 +155,11 @@ mod tests {
             let run = bare_run(&scene_with(&format!("mount=rigid {steel} {more}")));
             assert_eq!(run.shot_outcome(), outcome, "{more}");
             if outcome == Outcome::Unmeasured {
-                assert_eq!((run.residual_velocity_m_s, run.exit_time_s), (None, None), "{more}");
+                assert_eq!(
+                    (run.departure.residual_velocity_m_s, run.departure.exit_time_s),
+                    (None, None),
+                    "{more}"
+                );
                 assert!(run.events.iter().all(|event| event.kind != EventKind::Perforation));
                 assert!(run.stack.is_none_or(|stack| stack.behind.is_empty()), "{more}");
             }

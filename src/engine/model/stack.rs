@@ -105,7 +105,7 @@ pub fn follow(
 /// Returns the velocity of the projectile behind a plate, m/s; `None` if it does not perforate.
 fn residual_velocity_m_s(run: &Run) -> Option<f64> {
     let through = run.outcome == Outcome::Perforated && run.end.is_complete();
-    run.residual_velocity_m_s.filter(|velocity| through && *velocity > 0.0)
+    run.departure.residual_velocity_m_s.filter(|velocity| through && *velocity > 0.0)
 }
 
 /// Returns the scene of each plate in order, the base plate last. All have the shot of the first plate; plugs join the projectile.
@@ -184,7 +184,7 @@ mod tests {
         for (plate, (kg, after_m_s)) in run.plates().zip(EXPECTED) {
             let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-9;
             assert!(near(plate.scene.projectile.mass_kg, kg), "{:?}", plate.scene.projectile);
-            assert!(near(plate.residual_velocity_m_s.unwrap(), after_m_s), "{kg}");
+            assert!(near(plate.departure.residual_velocity_m_s.unwrap(), after_m_s), "{kg}");
         }
         assert_eq!(run.plates().count(), 3);
         // Plates defined by a mass ratio keep their mass.

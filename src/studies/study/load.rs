@@ -61,8 +61,8 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     if !scene.is_sprung() {
         let left = match run.outcome {
             Outcome::Arrested => 0.0,
-            Outcome::Perforated => run.residual_velocity_m_s?,
-            Outcome::Separated => run.separation?.velocity_m_s,
+            Outcome::Perforated => run.departure.residual_velocity_m_s?,
+            Outcome::Separated => run.departure.separation?.velocity_m_s,
             Outcome::Moving | Outcome::Unmeasured => return None,
         };
         return Some(m_p * cos * (struck - left));

@@ -107,8 +107,8 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<FailureReason> {
     let residual = run.ledger.residual();
     let results = [
         run.final_penetration_m,
-        run.exit_time_s,
-        run.residual_velocity_m_s,
+        run.departure.exit_time_s,
+        run.departure.residual_velocity_m_s,
         run.max_plate_displacement_m,
         run.peak_contact_force_n,
         Some(residual),

@@ -30,7 +30,7 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
             number(Some(run.scene.projectile.velocity_m_s)),
             run.outcome.word(),
             depth,
-            number(run.residual_velocity_m_s),
+            number(run.departure.residual_velocity_m_s),
             number(run.max_plate_displacement_m.map(|x| x * 1e3)),
             number(force_n.map(|n| n * 1e-3)),
         ));

@@ -301,7 +301,7 @@ fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
 fn shares(scene: &Scene) -> Option<(f64, f64)> {
     let run = plain_run(scene)?;
     let common = || run.first_arrest.map(|arrest| arrest.plate_velocity_m_s);
-    let after_m_s = run.separation.map(|it| it.velocity_m_s).or_else(common)?;
+    let after_m_s = run.departure.separation.map(|it| it.velocity_m_s).or_else(common)?;
     let change = (scene.projectile.velocity_m_s - after_m_s) / scene.closing_velocity_m_s();
     Some((change, change / scene.mass_ratio()))
 }

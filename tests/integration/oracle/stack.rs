@@ -46,14 +46,17 @@ pub(crate) fn compare(words: &str) -> Vec<String> {
         plate.projectile.velocity_m_s = velocity;
         let [coarse, fine] = [STEP_S, 0.5 * STEP_S].map(|step_s| Plate::new(&plate, step_s));
         let (Some(coarse), Some(fine)) = (coarse, fine) else { return found };
-        let late = run.exit_time_s.is_some_and(|t_s| t_s > 0.99 * LOOK_S);
+        let late = run.departure.exit_time_s.is_some_and(|t_s| t_s > 0.99 * LOOK_S);
         let slow = fine.left.is_some_and(|left| left < SLOW * velocity);
         if late || slow {
             return found;
         }
-        let (Some(left), Some(told)) = (fine.left, run.residual_velocity_m_s) else {
-            if fine.left.is_some() || run.exit_time_s.is_some() {
-                found.push(format!("plate {passed} leaves {:?}", run.residual_velocity_m_s));
+        let (Some(left), Some(told)) = (fine.left, run.departure.residual_velocity_m_s) else {
+            if fine.left.is_some() || run.departure.exit_time_s.is_some() {
+                found.push(format!(
+                    "plate {passed} leaves {:?}",
+                    run.departure.residual_velocity_m_s
+                ));
             }
             // A run that is still moving has no outcome to compare.
             if let Some(depth_m) = run.final_penetration_m {

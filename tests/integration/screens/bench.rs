@@ -18,8 +18,8 @@ use cmra::worker::studies::{StudyRequest, StudyResult};
 use cmra::worker::{JobProgress, ReportBody, Task, TaskReport};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{
-    Arrest, ContactMode, Cost, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis, Event,
-    EventKind, MechanismLoad, Outcome, Run, RunWarning, Sample,
+    Arrest, ContactMode, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis,
+    Event, EventKind, MechanismLoad, Outcome, Run, RunWarning, Sample,
 };
 use cmra_engine::model::scene::{Mount, PlateSize, Scene};
 use cmra_studies::study::context::{Answer, Progress, Reach};
@@ -401,7 +401,6 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         scene: Arc::clone(scene),
         outcome: Outcome::Arrested,
         end: EndReason::Decided,
-        plate_velocity_after_m_s: None,
         first_arrest: Some(Arrest {
             t_s: ARREST_S,
             penetration_m: arrest.penetration_m,
@@ -414,9 +413,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         max_plate_displacement_m: Some(shape.sample(TURN_S).plate_displacement_m),
         at_least: cmra_engine::model::run::AtLeast::default(),
         penetration_at_most_m: None,
-        residual_velocity_m_s: None,
-        exit_time_s: None,
-        separation: None,
+        departure: Departure::default(),
         interface_demand_ratio: Some(0.108),
         interface_tension_ratio: Some(0.0),
         estimate: ErrorEstimate {
@@ -457,8 +454,8 @@ fn perforate(run: &mut Run, shape: &Shape) {
     run.outcome = Outcome::Perforated;
     run.series = shape.series(200e-6);
     run.first_arrest = None;
-    run.residual_velocity_m_s = Some(41.3);
-    run.exit_time_s = Some(exit_s);
+    run.departure.residual_velocity_m_s = Some(41.3);
+    run.departure.exit_time_s = Some(exit_s);
     run.final_penetration_m =
         Some(run.scene.target.thickness_m + run.scene.projectile.tip_radius_m);
     run.events = vec![

@@ -195,8 +195,8 @@ impl Work {
         let Listing { corrects_stopping, step_s, .. } = self.scheme.listing;
         let t_s = self.t_s - if corrects_stopping { 0.0 } else { step_s };
         let kind = if ending == Outcome::Perforated {
-            self.run.exit_time_s = Some(t_s);
-            self.run.residual_velocity_m_s = Some(self.state.velocity_m_s);
+            self.run.departure.exit_time_s = Some(t_s);
+            self.run.departure.residual_velocity_m_s = Some(self.state.velocity_m_s);
             EventKind::Perforation
         } else {
             self.run.first_arrest = Some(Arrest {

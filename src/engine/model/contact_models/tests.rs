@@ -241,7 +241,8 @@ fn valid_the_listing_prints_what_an_independent_port_of_it_prints() {
         ),
     ] {
         let run = listing(pairs);
-        let contact_s = run.first_arrest.map_or(run.exit_time_s, |arrest| Some(arrest.t_s));
+        let contact_s =
+            run.first_arrest.map_or(run.departure.exit_time_s, |arrest| Some(arrest.t_s));
         let found = [
             1e3 * contact_s.unwrap(),
             depth_mm(&run),
@@ -302,7 +303,7 @@ fn ignored_jumps_end_in_no_number_and_what_the_listing_lacks_is_noted() {
 fn valid_a_velocity_that_is_rounding_is_zero() {
     for k_load in ["1e7", "3e6", "1e5", "7.7e8"] {
         let run = run(&format!("gamma=1 k=0 model=lumped k_load={k_load} k_unload={k_load}"));
-        assert_eq!(run.separation.unwrap().velocity_m_s.to_bits(), 0, "{k_load}");
+        assert_eq!(run.departure.separation.unwrap().velocity_m_s.to_bits(), 0, "{k_load}");
     }
 }
 

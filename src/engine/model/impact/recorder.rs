@@ -13,7 +13,7 @@ use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::results::sample;
 use crate::model::impact::state::State;
 use crate::model::run::{
-    Arrest, Cost, Departure, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Sample,
+    Arrest, Cost, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Parting, Sample,
 };
 use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::quadrature::GAUSS_10;
@@ -41,8 +41,8 @@ pub(super) struct Recorder {
     /// Energies that are integrated; the other terms are 0.
     pub(super) work: EnergyLedger,
     pub(super) first_arrest: Option<Arrest>,
-    pub(super) exit: Option<Departure>,
-    pub(super) separation: Option<Departure>,
+    pub(super) exit: Option<Parting>,
+    pub(super) separation: Option<Parting>,
     pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
     pub(super) loads: Loads,
@@ -364,7 +364,7 @@ impl Recorder {
         let (old, new) = (before.mode, after.mode);
         let flows = setup.law == ContactLaw::Flow;
         let (velocity_m_s, plate_velocity_m_s) = (setup.projectile_m_s(to), to.w_m_s);
-        let departure = Departure { t_s: to.t_s, velocity_m_s, plate_velocity_m_s };
+        let parting = Parting { t_s: to.t_s, velocity_m_s, plate_velocity_m_s };
         match event {
             // The force history continues.
             modes::Event::SlipZero if !flows && old.contact == Contact::Withdrawing => {}
@@ -372,7 +372,7 @@ impl Recorder {
                 self.arrest(after, to, old.hold == PlateConstraint::Spring);
             }
             modes::Event::PieceEnd if new.contact == Contact::Perforated => {
-                self.exit = Some(departure);
+                self.exit = Some(parting);
                 self.note(to.t_s, EventKind::Perforation);
             }
             modes::Event::PieceEnd if after.setup.shears() => self.note(to.t_s, EventKind::Plug),
@@ -401,9 +401,9 @@ impl Recorder {
             self.note(to.t_s, EventKind::PullOut);
         } else if new.contact == Contact::FreeFlight && old.contact != Contact::FreeFlight {
             // A velocity below the tolerance, relative to the impact velocity, is zero.
-            let is_known = departure.velocity_m_s.abs() > setup.tolerance * setup.velocity_m_s;
-            let velocity_m_s = if is_known { departure.velocity_m_s } else { 0.0 };
-            self.separation = Some(Departure { velocity_m_s, ..departure });
+            let is_known = parting.velocity_m_s.abs() > setup.tolerance * setup.velocity_m_s;
+            let velocity_m_s = if is_known { parting.velocity_m_s } else { 0.0 };
+            self.separation = Some(Parting { velocity_m_s, ..parting });
             self.note(to.t_s, EventKind::Separation);
         }
         match (old.hold, new.hold) {

@@ -13,8 +13,8 @@ use crate::model::impact::recorder::Recorder;
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
-    AtLeast, CONTACT_WINDOW, Cost, EndReason, EnergyLedger, ErrorEstimate, EventKind, LeftOut,
-    MechanismLoad, NotModelled, Outcome, Run, RunWarning, Sample,
+    AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, EventKind,
+    LeftOut, MechanismLoad, NotModelled, Outcome, Run, RunWarning, Sample,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -405,6 +405,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let series = std::mem::take(&mut course.record.series);
     let mut events = std::mem::take(&mut course.record.events);
     let record = &course.record;
+    let separation = record.separation.filter(|_| outcome == Outcome::Separated);
     // A reversal before the maximum displacement is not marked.
     events.retain(|event| {
         event.kind != EventKind::GreatestDisplacement || event.t_s >= record.farthest_s
@@ -424,13 +425,15 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
                 .then_some(record.farthest_m),
         },
         penetration_at_most_m,
-        residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
-        exit_time_s: record.exit.map(|exit| exit.t_s),
-        separation: record.separation.filter(|_| outcome == Outcome::Separated),
-        plate_velocity_after_m_s: record
-            .exit
-            .or_else(|| record.separation.filter(|_| outcome == Outcome::Separated))
-            .map(|parting| parting.plate_velocity_m_s),
+        departure: Departure {
+            exit_time_s: record.exit.map(|exit| exit.t_s),
+            residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
+            separation,
+            plate_velocity_m_s: record
+                .exit
+                .or(separation)
+                .map(|parting| parting.plate_velocity_m_s),
+        },
         interface_demand_ratio: record.loads.ratios.map(|[push, _]| push),
         interface_tension_ratio: course.tension(),
         series,

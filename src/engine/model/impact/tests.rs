@@ -77,7 +77,7 @@ fn valid_every_method_steps_to_the_same_end() {
         let end = |stepping: IntegrationMethod| {
             let run = run_to_end(&scene, stepping, Settings::BARE);
             assert!(run.end.is_complete(), "{pairs}: {stepping:?} {:?}", run.end);
-            let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
+            let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.departure.exit_time_s);
             [time_s, run.final_penetration_m, run.peak_contact_force_n].map(Option::unwrap)
         };
         let exact = end(IntegrationMethod::Collocation(1e-13));
@@ -296,8 +296,8 @@ fn valid_a_plug_is_sheared_as_by_equal_steps_of_both_bodies() {
         };
         assert_eq!(run.outcome == Outcome::Perforated, through, "{pairs}");
         if through {
-            near(run.exit_time_s.unwrap(), t);
-            near(run.residual_velocity_m_s.unwrap(), left + plate);
+            near(run.departure.exit_time_s.unwrap(), t);
+            near(run.departure.residual_velocity_m_s.unwrap(), left + plate);
             near(run.final_penetration_m.unwrap(), h - h_p + slip);
         } else {
             let arrest = run.first_arrest.unwrap();
@@ -409,7 +409,7 @@ fn valid_lumped_bodies_that_come_to_rest_by_equal_steps() {
             "{pairs} {:?} {:?} {:?} {:?}",
             run.cost,
             run.ledger,
-            run.separation,
+            run.departure.separation,
             run.first_arrest
         );
         let depth = run.final_penetration_m.unwrap();

@@ -495,7 +495,7 @@ mod tests {
     #[test]
     fn a_gap_is_seen_and_a_perforating_nose_comes_out() {
         let run = run_of("h=6.35mm v_i=300");
-        let exit_s = run.exit_time_s.unwrap();
+        let exit_s = run.departure.exit_time_s.unwrap();
         let stage = stage(&run, 1.1 * exit_s);
         let state = state_at(&run, exit_s).unwrap();
         let picture = stage.picture(&state);

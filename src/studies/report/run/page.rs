@@ -54,7 +54,7 @@ fn known_outcome(run: &Run) -> String {
     let word = run.outcome.word();
     let percent = run.percent_of_baseline();
     let percent = percent.map_or_else(String::new, |it| format!(" ({it:.1} % of a rigid mount)"));
-    match (run.outcome, run.final_penetration_m, run.residual_velocity_m_s) {
+    match (run.outcome, run.final_penetration_m, run.departure.residual_velocity_m_s) {
         (Outcome::Perforated, _, Some(speed)) => {
             format!("{word}, residual velocity {}", short(speed.abs(), "m/s"))
         }
@@ -93,7 +93,7 @@ fn known_sentence(run: &Run) -> String {
             || "arrested: the projectile stays in the plate; this model knows no depth".to_owned(),
             |depth| arrested(run, &depth),
         ),
-        Outcome::Perforated => match run.residual_velocity_m_s {
+        Outcome::Perforated => match run.departure.residual_velocity_m_s {
             Some(speed) if speed < 0.0 => format!(
                 "perforated: the plate moves back over the projectile, whose residual velocity is backwards, {}",
                 short(speed.abs(), "m/s")
@@ -106,7 +106,7 @@ fn known_sentence(run: &Run) -> String {
         },
         Outcome::Separated => {
             let left = run
-                .separation
+                .departure.separation
                 .map_or_else(String::new, |it| format!(" at {}", short(it.velocity_m_s, "m/s")));
             let depth =
                 depth.map_or_else(String::new, |depth| format!(", leaving a hole {depth} deep"));
@@ -147,7 +147,7 @@ pub fn results(run: &Run) -> Vec<Labelled> {
     let rounded = |result: Option<f64>, words: &str| {
         result.map(|result| format!("{}{words}", fixed_significant(result, 4)))
     };
-    let (arrest, separation) = (run.first_arrest, run.separation);
+    let (arrest, separation) = (run.first_arrest, run.departure.separation);
     let (so_far, load) = (run.at_least, &run.mechanism);
     let start_m = run.scene.start_m();
     let stroke_so_far = so_far.plate_displacement_m.map(|so_far_m| so_far_m - start_m);
@@ -189,8 +189,8 @@ pub fn results(run: &Run) -> Vec<Labelled> {
         ("nose out of rear face", known(run.protrusion_m(), "m")),
         ("  on a rigid mount", known(run.baseline_penetration_m, "m")),
         ("  of the rigid mount's", rounded(run.percent_of_baseline(), " %")),
-        ("exit time", known(run.exit_time_s, "s")),
-        ("residual velocity", known(run.residual_velocity_m_s, "m/s")),
+        ("exit time", known(run.departure.exit_time_s, "s")),
+        ("residual velocity", known(run.departure.residual_velocity_m_s, "m/s")),
         ("separation, time", known(separation.map(|it| it.t_s), "s")),
         ("  projectile velocity", known(separation.map(|it| it.velocity_m_s), "m/s")),
         ("peak contact force", known(run.peak_contact_force_n, "N")),
@@ -219,7 +219,8 @@ pub fn results(run: &Run) -> Vec<Labelled> {
 /// Describes the same shot with a plastic interface.
 fn if_it_yields(plastic: &Run) -> String {
     let word = plastic.shot_outcome().word();
-    let left = plastic.residual_velocity_m_s.map(|v| format!(", {} left", short(v, "m/s")));
+    let left =
+        plastic.departure.residual_velocity_m_s.map(|v| format!(", {} left", short(v, "m/s")));
     let deep = || {
         let percent = plastic.percent_of_baseline();
         let percent = percent.map(|it| format!(", {} %", fixed_significant(it, 4)));

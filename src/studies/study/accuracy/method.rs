@@ -326,7 +326,7 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
     if matches!(outcome, Outcome::Moving | Outcome::Unmeasured) || !last.end.is_complete() {
         return Err(Refusal::Ended(last.end));
     }
-    let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s);
+    let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.departure.exit_time_s);
     let depth_m = run.shot_depth_m().filter(|_| outcome != Outcome::Perforated);
     let cost = run.cost;
     Ok(Answer {
@@ -336,10 +336,13 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
             Compared::Time => time_s,
             Compared::Displacement => run.max_plate_displacement_m,
             Compared::Force => run.peak_contact_force_n,
-            Compared::LastVelocity => {
-                last.residual_velocity_m_s.or_else(|| Some(last.separation?.velocity_m_s))
+            Compared::LastVelocity => last
+                .departure
+                .residual_velocity_m_s
+                .or_else(|| Some(last.departure.separation?.velocity_m_s)),
+            Compared::LastTime => {
+                run.departure.exit_time_s.or_else(|| Some(run.departure.separation?.t_s))
             }
-            Compared::LastTime => run.exit_time_s.or_else(|| Some(run.separation?.t_s)),
             Compared::MountForce => {
                 quantities::find("peak_mount_force_n").and_then(|force| force.value(run))
             }

@@ -242,7 +242,7 @@ impl Target {
         let run = simulate(&Arc::new(scene.clone()), &Settings::SERIES, observer).ok()?;
         let (contact_s, end) = match run.first_arrest {
             Some(arrest) => (arrest.t_s, (Outcome::Arrested, arrest.penetration_m)),
-            None => (run.exit_time_s?, (Outcome::Perforated, run.exit_time_s?)),
+            None => (run.departure.exit_time_s?, (Outcome::Perforated, run.departure.exit_time_s?)),
         };
         let rows = run.series.iter().take_while(|row| row.t_s <= contact_s);
         let speed_m_s = rows.map(|row| row.plate_velocity_m_s.abs()).fold(0.0, larger);

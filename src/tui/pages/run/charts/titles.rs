@@ -133,6 +133,7 @@ fn depth(run: &Run) -> Option<String> {
     let first_m = run.first_arrest.map(|arrest| arrest.penetration_m);
     let is_later = first_m.is_some_and(|first_m| depth_m > first_m * 1.001);
     let leaves = run
+        .departure
         .separation
         .map_or_else(String::new, |it| format!(", leaves at {}", speed(it.velocity_m_s.abs())));
     let shows_first = contact_window_s(run) < 1.2 * run.contact_end_s();
@@ -144,7 +145,7 @@ fn depth(run: &Run) -> Option<String> {
 
 /// Describes a perforation, with its residual velocity.
 fn through(run: &Run) -> String {
-    match run.residual_velocity_m_s {
+    match run.departure.residual_velocity_m_s {
         Some(left) if left < 0.0 => format!("through, back at {}", speed(-left)),
         Some(left) => format!("through, leaves at {}", speed(left)),
         None => "through".to_owned(),
