@@ -168,7 +168,7 @@ fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
         let geometry = cmra_engine::model::contact::Geometry::from_scene(&own);
         let area = geometry.area_m2(geometry.travel_m(arrest.penetration_m));
         let exact = m_p * cos / joined * 1e5 * farthest / (area * 2.04e7);
-        assert_near(found.interface_demand_ratio.unwrap(), exact, 1e-9);
+        assert_near(found.interface.demand_ratio.unwrap(), exact, 1e-9);
     }
 }
 
@@ -187,14 +187,14 @@ fn valid_the_interface_tension_is_that_of_the_swing_back() {
         arrest.plate_displacement_m.hypot(arrest.plate_velocity_m_s * 0.059f64.sqrt() / 1e3);
     let exact = 0.5 * 1e6 * back_m / (0.1 * area * 1.52e8);
     assert!(exact > 1.0, "{exact}");
-    assert_near(found.interface_tension_ratio.unwrap(), exact, 1e-9);
+    assert_near(found.interface.tension_ratio.unwrap(), exact, 1e-9);
     let exact = cmra_engine::model::units::significant(exact, 4);
     let text = format!("interface pull is {exact} times its strength g A S_y");
     assert!(found.warnings.iter().any(|warning| warning.to_string().contains(&text)));
     let gripless = run(scene("d=0.1 k=1e6 grip=0"));
-    assert!(gripless.interface_tension_ratio.unwrap().is_infinite());
-    assert_eq!(run(scene("d=0.1 k=1e6 interface=plastic")).interface_tension_ratio, None);
-    assert_eq!(run(scene("mount=rigid")).interface_tension_ratio, None);
+    assert!(gripless.interface.tension_ratio.unwrap().is_infinite());
+    assert_eq!(run(scene("d=0.1 k=1e6 interface=plastic")).interface.tension_ratio, None);
+    assert_eq!(run(scene("mount=rigid")).interface.tension_ratio, None);
 }
 
 /// A plate that oscillates ever faster about the zero of a singular spring: the horizon is not reached, and that is reported.

@@ -328,7 +328,7 @@ fn valid_slips_before_the_greatest_displacement_do_not_hide_it() {
     let run = program(&own);
     assert_eq!(run.outcome, Outcome::Arrested);
     // After the last slip the interface just holds.
-    assert!((run.interface_demand_ratio.unwrap() - 1.0).abs() < 1e-12);
+    assert!((run.interface.demand_ratio.unwrap() - 1.0).abs() < 1e-12);
     let far_m = run.max_plate_displacement_m.unwrap();
     let mut shot = Shot::new(&own, 2e-9);
     assert!(shot.go_to(3e-4));

@@ -131,7 +131,7 @@ fn valid_oblique_rigid_shot_sweeps_the_stopping_volume() {
 fn valid_cocked_fused_warns_and_plastic_resumes() {
     let fused = run("d=0.5 k=1e5");
     assert_near(depth(&fused), 1.658_338_066_423_099e-3, 1e-12);
-    let ratio = fused.interface_demand_ratio.unwrap();
+    let ratio = fused.interface.demand_ratio.unwrap();
     assert!((2.8..3.0).contains(&ratio), "{ratio}");
     assert!(fused.warnings.iter().any(|w| matches!(w, RunWarning::InterfacePush { .. })));
 

@@ -349,5 +349,5 @@ fn edges_and_levels_in_the_texts_of_figures_are_those_of_runs() {
     let row = run.series.iter().find(|row| row.t_s >= run.first_arrest.unwrap().t_s).unwrap();
     let area_n = 8.7438e3;
     assert!((row.spring_force_n.abs() / 2.0 / (0.1 * area_n) - 28.5).abs() < 0.05);
-    assert!((run.interface_demand_ratio.unwrap() * area_n / 25.1e3 - 1.0).abs() < 2e-3);
+    assert!((run.interface.demand_ratio.unwrap() * area_n / 25.1e3 - 1.0).abs() < 2e-3);
 }

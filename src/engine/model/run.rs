@@ -66,10 +66,8 @@ pub struct Run {
     pub penetration_at_most_m: Option<f64>,
     /// Departure of the projectile through the rear or the entry face.
     pub departure: Departure,
-    /// Maximum compression of the fused interface, relative to its strength A `S_y`.
-    pub interface_demand_ratio: Option<f64>,
-    /// Maximum tension of the fused interface, relative to its strength `g A S_y`; infinite for g = 0, `None` if it can separate.
-    pub interface_tension_ratio: Option<f64>,
+    /// Loads of the fused interface.
+    pub interface: InterfaceLoad,
     /// Relative error estimates of the results.
     pub estimate: ErrorEstimate,
     /// Time series; two rows at the same time at a discontinuity. Empty unless requested.
@@ -164,6 +162,15 @@ pub struct Parting {
     pub velocity_m_s: f64,
     /// Velocity of the plate, m/s.
     pub plate_velocity_m_s: f64,
+}
+
+/// Loads of the fused interface.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct InterfaceLoad {
+    /// Maximum compression, relative to the strength A `S_y`.
+    pub demand_ratio: Option<f64>,
+    /// Maximum tension, relative to the strength `g A S_y`; infinite for g = 0, `None` for an interface that can separate.
+    pub tension_ratio: Option<f64>,
 }
 
 labelled_enum! {

@@ -19,7 +19,7 @@ use cmra::worker::{JobProgress, ReportBody, Task, TaskReport};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{
     Arrest, ContactMode, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis,
-    Event, EventKind, MechanismLoad, Outcome, Run, RunWarning, Sample,
+    Event, EventKind, InterfaceLoad, MechanismLoad, Outcome, Run, RunWarning, Sample,
 };
 use cmra_engine::model::scene::{Mount, PlateSize, Scene};
 use cmra_studies::study::context::{Answer, Progress, Reach};
@@ -414,8 +414,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         at_least: cmra_engine::model::run::AtLeast::default(),
         penetration_at_most_m: None,
         departure: Departure::default(),
-        interface_demand_ratio: Some(0.108),
-        interface_tension_ratio: Some(0.0),
+        interface: InterfaceLoad { demand_ratio: Some(0.108), tension_ratio: Some(0.0) },
         estimate: ErrorEstimate {
             main: Some(3e-12),
             basis: Some(EstimateBasis::SecondComputation),
@@ -440,7 +439,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         run.events.truncate(2);
     }
     if scene.plate.cocking_m > 0.0 {
-        run.interface_demand_ratio = Some(2.9);
+        run.interface.demand_ratio = Some(2.9);
         run.warnings = vec![RunWarning::InterfacePush { ratio: 2.9, t_s: 0.4e-3 }];
     }
     if scene.target.thickness_m < 0.01 {

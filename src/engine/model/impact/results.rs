@@ -14,7 +14,7 @@ use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, EventKind,
-    LeftOut, MechanismLoad, NotModelled, Outcome, Run, RunWarning, Sample,
+    InterfaceLoad, LeftOut, MechanismLoad, NotModelled, Outcome, Run, RunWarning, Sample,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -301,7 +301,7 @@ impl ImpactRun<'_> {
         });
         let [pushed_s, pulled_s] = loads.exceeded_s;
         let push = pushed_s.zip(loads.ratios);
-        let pull = run.interface_tension_ratio.filter(|ratio| *ratio > 1.0);
+        let pull = run.interface.tension_ratio.filter(|ratio| *ratio > 1.0);
         let resumed_s = self.record.resumed_s.filter(|_| setup.plastic);
         let residual = run.ledger.residual();
         let drifts = residual.abs() >= DRIFT || residual.is_nan();
@@ -434,8 +434,10 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
                 .or(separation)
                 .map(|parting| parting.plate_velocity_m_s),
         },
-        interface_demand_ratio: record.loads.ratios.map(|[push, _]| push),
-        interface_tension_ratio: course.tension(),
+        interface: InterfaceLoad {
+            demand_ratio: record.loads.ratios.map(|[push, _]| push),
+            tension_ratio: course.tension(),
+        },
         series,
         events,
         ledger: course.ledger(),

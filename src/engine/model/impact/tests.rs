@@ -141,7 +141,7 @@ fn valid_the_way_back_pulls_as_a_damped_oscillator_does() {
         let p = arrest.penetration_m;
         let strength_n = std::f64::consts::PI * p * (2.0 * 0.00635 - p) * 1.52e8;
         let expected = 0.5 * pull_n / (0.1 * strength_n);
-        assert!(is_near(found.interface_tension_ratio.unwrap(), expected, 1e-8), "{b}");
+        assert!(is_near(found.interface.tension_ratio.unwrap(), expected, 1e-8), "{b}");
     }
 }
 

@@ -41,7 +41,7 @@ impl RunResult {
             Self::ExitTime => run.departure.exit_time_s,
             Self::SeparationTime => Some(run.departure.separation?.t_s),
             Self::SeparationVelocity => Some(run.departure.separation?.velocity_m_s),
-            Self::InterfaceDemand => run.interface_demand_ratio,
+            Self::InterfaceDemand => run.interface.demand_ratio,
             // On a rigid mount it is the contact force along the normal.
             Self::PeakMountForce => run.mechanism.peak_mount_n.or(run.peak_contact_force_n),
             Self::StoredEnergy => run.mechanism.stored_j,

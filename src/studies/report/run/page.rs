@@ -169,10 +169,10 @@ pub fn results(run: &Run) -> Vec<Labelled> {
     let push = if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
         Some("unbounded at the rigid stop".to_owned())
     } else {
-        rounded(run.interface_demand_ratio, " of its strength A S_y")
+        rounded(run.interface.demand_ratio, " of its strength A S_y")
     };
     // Below the limit load of the interface its type makes no difference.
-    let loads = [run.interface_demand_ratio, run.interface_tension_ratio];
+    let loads = [run.interface.demand_ratio, run.interface.tension_ratio];
     let is_overloaded = loads.into_iter().flatten().any(|ratio| ratio > 1.0);
     let plastic = run.plastic.as_ref().filter(|_| is_overloaded);
     let closure = run.scene.closure_by_thickness().map(|it| format!("{}, by thickness", it.word()));
