@@ -27,6 +27,6 @@ pub(crate) fn first_contact(scene: &Arc<Scene>) -> Option<FirstContact> {
     let run = simulate(scene, &Settings::BARE, &mut |_| ControlFlow::Continue(())).ok()?;
     let arrest = run.first_arrest.map(|end| (end.t_s, end.penetration_m));
     let (t_s, depth_m) =
-        arrest.or_else(|| run.departure.exit_time_s.zip(run.final_penetration_m))?;
+        arrest.or_else(|| run.departure.exit_time_s.zip(run.penetration.final_m))?;
     Some(FirstContact { t_s, depth_m, kernel: "full" })
 }

@@ -57,7 +57,7 @@ fn valid_a_projectile_that_slips_in_its_hole_far_from_its_bottom_is_arrested() {
     let found = run_of(pairs);
     assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
     let long = run_of(&format!("{pairs} run.horizon_s=0.3"));
-    assert_eq!(found.final_penetration_m, long.final_penetration_m);
+    assert_eq!(found.penetration.final_m, long.penetration.final_m);
     assert_eq!(found.max_plate_displacement_m, long.max_plate_displacement_m);
 }
 
@@ -72,14 +72,14 @@ fn valid_every_plastic_scene_of_a_surface_is_decided() {
             let found = run_of(&pairs);
             assert_eq!(found.end, EndReason::Decided, "{pairs}");
             assert_ne!(found.outcome, Outcome::Moving, "{pairs}");
-            let Some(most_m) = found.penetration_at_most_m else { continue };
-            let least_m = found.final_penetration_m.unwrap();
+            let Some(most_m) = found.penetration.at_most_m else { continue };
+            let least_m = found.penetration.final_m.unwrap();
             intervals += 1;
             let width = (most_m - least_m) / least_m;
             assert!(found.estimate.main.unwrap() >= width, "{pairs}");
             assert!(width < 2e-3, "{pairs}: {least_m} {most_m}");
             let long = run_of(&format!("{pairs} run.horizon_s={horizon}"));
-            let long_m = long.final_penetration_m.or(long.at_least.penetration_m).unwrap();
+            let long_m = long.penetration.final_m.or(long.at_least.penetration_m).unwrap();
             assert!(long_m <= most_m * (1.0 + 1e-9), "{pairs}: {long_m} {most_m}");
         }
     }
@@ -134,11 +134,11 @@ fn valid_an_undecided_depth_has_a_lower_and_an_upper_bound() {
     let pairs = "interface=plastic gamma=3 k=5e6 v_i=20";
     let short = run_of(&format!("{pairs} run.horizon_s=0.001"));
     assert_eq!(short.outcome, Outcome::Moving);
-    assert!(short.final_penetration_m.is_none());
+    assert!(short.penetration.final_m.is_none());
     let (least, most) =
-        (short.at_least.penetration_m.unwrap(), short.penetration_at_most_m.unwrap());
+        (short.at_least.penetration_m.unwrap(), short.penetration.at_most_m.unwrap());
     let long = run_of(&format!("{pairs} run.horizon_s=0.1"));
-    let depth = long.final_penetration_m.or(long.at_least.penetration_m).unwrap();
+    let depth = long.penetration.final_m.or(long.at_least.penetration_m).unwrap();
     assert!(least < depth && depth < most, "{least} {depth} {most}");
     // So little energy is left that the plate has been at its farthest.
     assert!(short.max_plate_displacement_m.is_some());
@@ -151,7 +151,7 @@ fn a_nose_beyond_the_rear_face_is_reported() {
     let found = run_of("h=0.012 v_i=170 mount=rigid");
     assert_eq!(found.outcome, Outcome::Arrested);
     let out = found.protrusion_m().unwrap();
-    assert_near(out, found.final_penetration_m.unwrap() - 0.012, 1e-12);
+    assert_near(out, found.penetration.final_m.unwrap() - 0.012, 1e-12);
     assert!(run_of("mount=rigid").protrusion_m().is_none());
 }
 
@@ -185,7 +185,7 @@ fn valid_a_run_ends_by_what_is_still_to_come() {
         ("k_load=1 b_2=1e7", 1.946_999_999_999_98e-7),
     ] {
         let pairs = format!("model=lumped mount=rigid {pairs}");
-        near(run_of(&pairs).final_penetration_m, dent_m, 1e-9, &pairs);
+        near(run_of(&pairs).penetration.final_m, dent_m, 1e-9, &pairs);
     }
 }
 
@@ -197,7 +197,7 @@ fn valid_a_slow_shot_keeps_its_digits() {
         assert_eq!(slow.outcome, slower.outcome, "{more}");
         assert_near(slower.first_arrest.unwrap().t_s, slow.first_arrest.unwrap().t_s, 1e-9);
         let values = |run: &Run| {
-            [run.final_penetration_m, run.max_plate_displacement_m, run.peak_contact_force_n]
+            [run.penetration.final_m, run.max_plate_displacement_m, run.peak_contact_force_n]
         };
         for (less, more) in values(&slower).into_iter().zip(values(&slow)) {
             assert_near(less.unwrap(), 1e-2 * more.unwrap(), 1e-9);

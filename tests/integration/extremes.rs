@@ -256,7 +256,7 @@ fn a_plate_that_creeps_is_decided_at_loose_tolerances_too() {
             assert_eq!(found.end, EndReason::Decided, "{pairs} {tolerance:e}");
             let part = found.percent_of_baseline().unwrap();
             assert!(part > 90.0 && part < 100.0, "{pairs} {tolerance:e}: {part}");
-            found.final_penetration_m.unwrap()
+            found.penetration.final_m.unwrap()
         });
         for (depth_m, tolerance) in depths_m.into_iter().zip([1e-3, 1e-4, 1e-5]) {
             assert_near(depth_m, depths_m[3], 10.0 * tolerance);

@@ -178,7 +178,7 @@ impl<'a> Beside<'a> {
         }
         if shot.exit.is_some() && matches!(run.outcome, Outcome::Arrested | Outcome::Separated) {
             found.push(format!("{when}{:?}, not perforated", run.outcome));
-        } else if let Some(depth) = run.final_penetration_m.filter(|_| shot.exit.is_none())
+        } else if let Some(depth) = run.penetration.final_m.filter(|_| shot.exit.is_none())
             && run.outcome != Outcome::Perforated
             && depth < deepest - self.room_m()
         {

@@ -29,7 +29,7 @@ fn scene(pairs: &str) -> Scene {
 }
 
 fn depth(run: &Run) -> f64 {
-    run.final_penetration_m.unwrap()
+    run.penetration.final_m.unwrap()
 }
 
 #[test]
@@ -295,7 +295,7 @@ fn a_cancelled_run_keeps_its_partial_results() {
 fn a_short_horizon_leaves_the_outcome_open() {
     let run = run("k=1e5 horizon=50us");
     assert_eq!((run.outcome, run.end), (Outcome::Moving, EndReason::Horizon));
-    assert_eq!((run.final_penetration_m, run.first_arrest), (None, None));
+    assert_eq!((run.penetration.final_m, run.first_arrest), (None, None));
     assert_near(run.series.last().unwrap().t_s, 50e-6, 1e-15);
 }
 

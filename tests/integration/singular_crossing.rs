@@ -85,7 +85,7 @@ fn an_undecided_oscillation_ends_as_moving_unless_a_horizon_is_set() {
     let pairs = "k=7.5e6 d=0.5 gamma=1e-3 v_i=1 S_y=0 C_d=0 h=1 interface=plastic";
     let found = run(scene(pairs));
     assert_eq!((found.outcome, found.end), (Outcome::Moving, EndReason::Oscillates));
-    assert!(found.final_penetration_m.is_none() && found.end.is_complete());
+    assert!(found.penetration.final_m.is_none() && found.end.is_complete());
     let asked = run(scene(&format!("{pairs} run.horizon_s=1e-4")));
     assert_eq!((asked.outcome, asked.end), (Outcome::Moving, EndReason::Horizon));
     assert_near(asked.series.last().unwrap().t_s, 1e-4, 1e-12);

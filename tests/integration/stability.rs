@@ -127,7 +127,7 @@ fn estimate_of(scene: &Arc<Scene>) -> Option<f64> {
 fn measure(run: &Run) -> Option<f64> {
     match run.outcome {
         Outcome::Perforated => run.departure.exit_time_s,
-        Outcome::Arrested | Outcome::Separated => run.final_penetration_m,
+        Outcome::Arrested | Outcome::Separated => run.penetration.final_m,
         Outcome::Moving | Outcome::Unmeasured => None,
     }
 }
@@ -147,7 +147,7 @@ fn class_of_end(course: &Course) -> Option<Class> {
 fn class_of(course: &Course) -> Option<Class> {
     let run = &course.run;
     let results = [
-        run.final_penetration_m,
+        run.penetration.final_m,
         run.departure.exit_time_s,
         run.departure.residual_velocity_m_s,
         run.max_plate_displacement_m,

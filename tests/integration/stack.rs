@@ -24,7 +24,7 @@ fn a_stack_of_one_element_is_the_single_run() {
         let reached_base = single.outcome == Outcome::Perforated;
         assert_eq!(stack.behind.len(), usize::from(reached_base), "{pairs}");
         if !reached_base {
-            assert_eq!(stack.penetration_m, single.final_penetration_m);
+            assert_eq!(stack.penetration_m, single.penetration.final_m);
             assert_eq!((stack.behind.len(), stack.outcome), (0, single.outcome));
         }
     }
@@ -100,7 +100,7 @@ fn valid_free_plates_leave_the_velocity_of_the_closed_form() {
     assert_eq!((stack.behind.len(), stack.outcome), (3, Outcome::Arrested));
     let base = runs[3];
     assert_near(base.scene.projectile.velocity_m_s, velocity, 1e-10);
-    let depth = base.final_penetration_m.unwrap();
+    let depth = base.penetration.final_m.unwrap();
     assert!(depth > r, "the nose is buried");
     let swept = PI * r * r * (depth - r / 3.0) * (0.02 + 2.0 * r) / 0.02;
     assert_near(swept, m / (2.0 * c) * (c * velocity * velocity / s).ln_1p(), 1e-10);

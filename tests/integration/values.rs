@@ -44,7 +44,7 @@ fn valid_two_steep_springs_in_parallel_are_one_spring_of_the_sum() {
         let one = run(scene(&format!("k=1e6 n={n}")));
         let two = scene(&format!("k=5e5 n={n} combine=parallel k_2=5e5 n_2={}", n * (1.0 + 1e-15)));
         let two = run(two);
-        assert_near(two.final_penetration_m.unwrap(), one.final_penetration_m.unwrap(), 1e-12);
+        assert_near(two.penetration.final_m.unwrap(), one.penetration.final_m.unwrap(), 1e-12);
         assert!(two.cost.steps < 2 * one.cost.steps, "{} {}", two.cost.steps, one.cost.steps);
     }
 }
@@ -137,7 +137,7 @@ fn valid_bounces_that_are_left_out_move_the_depth_by_less_than_the_tolerance() {
     ] {
         let depth = |tolerance: &str| {
             let own = format!("{pairs} interface=plastic run.tolerance={tolerance}");
-            run(scene(&own)).final_penetration_m.unwrap()
+            run(scene(&own)).penetration.final_m.unwrap()
         };
         assert_near(depth("1e-9"), depth("1e-12"), 1e-8);
     }

@@ -14,7 +14,7 @@
 use crate::model::contact::{AreaPiece, Geometry};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::plug::Plug;
-use crate::model::run::{Arrest, Departure, Outcome, Run};
+use crate::model::run::{Arrest, Departure, Outcome, Penetration, Run};
 use crate::model::scene::{ContactModel, Criterion, Scene};
 use crate::numerics::quadrature::converged;
 use crate::numerics::root::bracketed_root;
@@ -331,7 +331,10 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
             plate_displacement_m: scene.start_m() + w * end_s + moved_m,
             plate_velocity_m_s: plate_m_s,
         }),
-        final_penetration_m: Some(geometry.depth_m(end_m)),
+        penetration: Penetration {
+            final_m: Some(geometry.depth_m(end_m)),
+            ..Penetration::default()
+        },
         peak_contact_force_n: Some(larger(passage.peak_n(end_m), of_plug_n)),
         // The shot only accelerates the plate.
         max_plate_displacement_m: (plate_m_s <= 0.0).then(|| scene.start_m()),
@@ -392,7 +395,7 @@ mod tests {
             let values = |run: &Run| {
                 let arrest = run.first_arrest;
                 [
-                    run.final_penetration_m,
+                    run.penetration.final_m,
                     run.peak_contact_force_n,
                     run.departure.residual_velocity_m_s,
                     run.departure.exit_time_s,

@@ -258,7 +258,7 @@ mod tests {
         let run = bare_run(scene);
         let arrest = run.first_arrest.map(|arrest| (arrest.t_s, arrest.penetration_m));
         arrest.unwrap_or_else(|| {
-            (run.departure.exit_time_s.unwrap(), run.final_penetration_m.unwrap())
+            (run.departure.exit_time_s.unwrap(), run.penetration.final_m.unwrap())
         })
     }
 
@@ -379,7 +379,7 @@ mod tests {
         let run = bare_run(&own);
         let Some(arrest) = run.first_arrest.filter(|_| end.arrested) else {
             let (t_s, depth_m) =
-                (run.departure.exit_time_s.unwrap(), run.final_penetration_m.unwrap());
+                (run.departure.exit_time_s.unwrap(), run.penetration.final_m.unwrap());
             return larger((end.t_s / t_s - 1.0).abs(), (end.penetration_m / depth_m - 1.0).abs());
         };
         let exact = ContactEnd {

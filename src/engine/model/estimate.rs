@@ -94,7 +94,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
     };
     let struck = run.scene.projectile.velocity_m_s;
     // Omitted slips can deepen the hole of an arrest, and push harder there.
-    let interval = |run: &Run| Some(run.penetration_at_most_m? - run.final_penetration_m?);
+    let interval = |run: &Run| Some(run.penetration.at_most_m? - run.penetration.final_m?);
     let width = interval(run).unwrap_or(0.0);
     run.estimate.by_result = RunResult::ALL
         .into_iter()
@@ -113,7 +113,7 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis) {
                 RunResult::FinalPenetration => width,
                 // The area grows at most as fast as the depth.
                 RunResult::PeakContactForce if width > 0.0 => {
-                    width * value / run.final_penetration_m?
+                    width * value / run.penetration.final_m?
                 }
                 _ => 0.0,
             };

@@ -52,18 +52,14 @@ pub struct Run {
     pub end: EndReason,
     /// First zero of the relative velocity; the end of penetration in the thesis.
     pub first_arrest: Option<Arrest>,
-    /// Final depth of the hole, m; for a perforation the depth at which the nose left the rear face.
-    pub final_penetration_m: Option<f64>,
-    /// Depth of the same shot with a rigid mount, m; `None` for a perforation, or a contact model without depth.
-    pub baseline_penetration_m: Option<f64>,
+    /// Depth of the hole.
+    pub penetration: Penetration,
     /// Maximum contact force while penetrating, N; `None` for an instantaneous collision.
     pub peak_contact_force_n: Option<f64>,
     /// Maximum displacement of the plate, m; `None` if nothing stops the plate, or if the run ended before.
     pub max_plate_displacement_m: Option<f64>,
     /// Lower bounds of depth and displacement that are not final.
     pub at_least: AtLeast,
-    /// Upper bound of a depth that is not final, by energy, m; `None` if the depth is final, or if the bound perforates.
-    pub penetration_at_most_m: Option<f64>,
     /// Departure of the projectile through the rear or the entry face.
     pub departure: Departure,
     /// Loads of the fused interface.
@@ -125,6 +121,17 @@ impl EndReason {
     pub fn is_complete(self) -> bool {
         matches!(self, Self::Decided | Self::Horizon | Self::Oscillates)
     }
+}
+
+/// Depth of the hole that a run leaves.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Penetration {
+    /// Final depth, m; for a perforation the depth at which the nose left the rear face.
+    pub final_m: Option<f64>,
+    /// Depth of the same shot with a rigid mount, m; `None` for a perforation, or a contact model without depth.
+    pub baseline_m: Option<f64>,
+    /// Upper bound of a depth that is not final, by energy, m; `None` if the depth is final, or if the bound perforates.
+    pub at_most_m: Option<f64>,
 }
 
 /// State at the first arrest.
@@ -377,7 +384,7 @@ impl Cost {
 impl Run {
     /// Returns the final depth over that on a rigid mount, percent, exactly 100 if equal; `None` without both, or for a perforation.
     pub fn percent_of_baseline(&self) -> Option<f64> {
-        let percent = 100.0 * (self.final_penetration_m? / self.baseline_penetration_m?);
+        let percent = 100.0 * (self.penetration.final_m? / self.penetration.baseline_m?);
         (self.outcome != Outcome::Perforated).then_some(percent)
     }
 
@@ -409,7 +416,7 @@ impl Run {
 
     /// Returns the depth of the shot, m; for a stack the thickness of the perforated plates plus the depth in the last one.
     pub fn shot_depth_m(&self) -> Option<f64> {
-        self.stack.as_ref().map_or(self.final_penetration_m, |stack| stack.penetration_m)
+        self.stack.as_ref().map_or(self.penetration.final_m, |stack| stack.penetration_m)
     }
 
     /// Returns the relative error estimate of a result; for a stack the maximum over its plates.
@@ -427,7 +434,7 @@ impl Run {
 
     /// Returns how far the nose of an arrested projectile protrudes from the rear face, m: by the army criterion a complete penetration.
     pub fn protrusion_m(&self) -> Option<f64> {
-        let depth = self.final_penetration_m.or(self.at_least.penetration_m)?;
+        let depth = self.penetration.final_m.or(self.at_least.penetration_m)?;
         let out = depth - self.scene.effective_thickness_m();
         (self.outcome != Outcome::Perforated && out > 0.0).then_some(out)
     }

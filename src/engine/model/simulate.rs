@@ -7,8 +7,8 @@ use std::sync::Arc;
 use crate::model::appendix::listing;
 use crate::model::impact;
 use crate::model::run::{
-    AtLeast, ContactMode, Departure, EndReason, ErrorEstimate, MechanismLoad, Outcome, Run,
-    RunWarning, WORK_MAX, envelope,
+    AtLeast, ContactMode, Departure, EndReason, ErrorEstimate, MechanismLoad, Outcome, Penetration,
+    Run, RunWarning, WORK_MAX, envelope,
 };
 pub use crate::model::run::{Observer, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
@@ -76,10 +76,12 @@ fn withhold_perforation(run: &mut Run) {
     let MechanismLoad { added_kg, spring_mass_kg, .. } = run.mechanism;
     *run = Run {
         outcome: Outcome::Unmeasured,
-        final_penetration_m: None,
+        penetration: Penetration {
+            baseline_m: run.penetration.baseline_m,
+            ..Penetration::default()
+        },
         max_plate_displacement_m: None,
         at_least: AtLeast::default(),
-        penetration_at_most_m: None,
         departure: Departure::default(),
         estimate: ErrorEstimate { basis: run.estimate.basis, ..ErrorEstimate::default() },
         mechanism: MechanismLoad { added_kg, spring_mass_kg, ..MechanismLoad::default() },

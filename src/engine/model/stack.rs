@@ -91,7 +91,7 @@ pub fn follow(
             (Outcome::Separated, Some(last.scene.effective_thickness_m()))
         }
         Outcome::Perforated | Outcome::Moving | Outcome::Unmeasured => (last.outcome, None),
-        Outcome::Arrested | Outcome::Separated => (last.outcome, last.final_penetration_m),
+        Outcome::Arrested | Outcome::Separated => (last.outcome, last.penetration.final_m),
     };
     Ok(Some(StackRun {
         elements,

@@ -98,7 +98,7 @@ pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c,
     let table = table.with("outcome", "outcome", "", outcome);
     let table = column(table, "final_penetration_m", "depth mm, %", 1e3, |run| Some(depth(run)));
     let table = table.with("plastic", "plastic mm", "", |it: &Compared<'_>| {
-        it.1.ok()?.plastic.as_ref()?.final_penetration_m
+        it.1.ok()?.plastic.as_ref()?.penetration.final_m
     });
     let table = table.shown(|it, _| Some(depth(it.1.ok()?.plastic.as_ref()?)));
     let table = column(table, "max_plate_displacement_m", "travel mm", 1e3, |_| None);
@@ -132,7 +132,7 @@ fn depth(run: &Run) -> String {
     if is_perforated(run) {
         return "through".to_owned();
     }
-    let Some(depth_m) = run.final_penetration_m else { return "-".to_owned() };
+    let Some(depth_m) = run.penetration.final_m else { return "-".to_owned() };
     let percent = run.percent_of_baseline().map_or_else(String::new, |it| format!(" ({it:.0})"));
     format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
 }
@@ -169,7 +169,7 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
         is_searched.then_some("no closed form: `cmra limit` searches it by many shots").into();
     let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());
     object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
-    object["penetration_at_most_m"] = run.penetration_at_most_m.into();
+    object["penetration_at_most_m"] = run.penetration.at_most_m.into();
     object["nose_protrusion_m"] = run.protrusion_m().into();
     let basis = run.estimate.basis.map(|basis| match basis {
         EstimateBasis::SecondComputation => "second computation",

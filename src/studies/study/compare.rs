@@ -96,7 +96,7 @@ impl Entry {
     /// Returns the depth of the hole, m; `None` if perforated.
     pub fn depth_m(&self) -> Option<f64> {
         let stays = matches!(self.run.shot_outcome(), Outcome::Arrested | Outcome::Separated);
-        self.run.final_penetration_m.filter(|_| stays)
+        self.run.penetration.final_m.filter(|_| stays)
     }
 
     /// Returns `true` if no velocity of the search range perforates the plate or makes the hardware fail.

@@ -222,9 +222,9 @@ pub static QUANTITIES: &[Quantity] = &[
         .at_least(|run| run.at_least.penetration_m).titled("final depth").short("depth").is(&[OfStack, OfHole]),
     quantity("percent_of_baseline", Number, "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
         .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
-        .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.baseline_penetration_m?)))
+        .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.penetration.baseline_m?)))
         .titled("% of rigid-mount depth").short("% of rigid mount").absent(NO_BASELINE).is(&[OfHole, Percent]),
-    quantity("baseline_penetration_m", Length, "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.baseline_penetration_m))
+    quantity("baseline_penetration_m", Length, "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.penetration.baseline_m))
         .by_contact(End(|it| it.baseline_m)).titled("depth on a rigid mount").absent(NO_BASELINE),
     result(PeakContactForce, Force, "greatest contact force while penetrating").short("contact"),
     result(MaxPlateDisplacement, Length, "greatest plate displacement")

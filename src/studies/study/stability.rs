@@ -106,7 +106,7 @@ fn error_of(run: &Run, reference: &Reference) -> Option<f64> {
 fn shortfall(run: &Run, error: Option<f64>) -> Option<FailureReason> {
     let residual = run.ledger.residual();
     let results = [
-        run.final_penetration_m,
+        run.penetration.final_m,
         run.departure.exit_time_s,
         run.departure.residual_velocity_m_s,
         run.max_plate_displacement_m,

@@ -22,7 +22,7 @@ pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
             greatest = Some((force_n, plate));
         }
         let through = run.outcome == Outcome::Perforated;
-        let depth = run.final_penetration_m.filter(|_| !through).map(|depth| depth * 1e3);
+        let depth = run.penetration.final_m.filter(|_| !through).map(|depth| depth * 1e3);
         let depth = if through { "through".to_owned() } else { number(depth) };
         lines.push(format!(
             "{:<11}{:>10}  {:<10}{:>9}{:>12}{:>11}{:>10}",

@@ -281,7 +281,7 @@ fn value(quantity: MeasuredQuantity, scene: &Scene) -> Option<f64> {
         MeasuredQuantity::Bulge => {
             scene.target_in_effect().dishing.then_some(2.0 * scene.projectile.tip_radius_m)
         }
-        MeasuredQuantity::Depth => plain_run(scene)?.final_penetration_m,
+        MeasuredQuantity::Depth => plain_run(scene)?.penetration.final_m,
         MeasuredQuantity::ProjectileShare => shares(scene).map(|shares| shares.0),
         MeasuredQuantity::PlateShare => shares(scene).map(|shares| shares.1),
         MeasuredQuantity::MomentumShare => {

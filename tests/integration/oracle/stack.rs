@@ -59,7 +59,7 @@ pub(crate) fn compare(words: &str) -> Vec<String> {
                 ));
             }
             // A run that is still moving has no outcome to compare.
-            if let Some(depth_m) = run.final_penetration_m {
+            if let Some(depth_m) = run.penetration.final_m {
                 let off_m = (coarse.depth_m - fine.depth_m).abs();
                 let deep = depth_m > fine.depth_m || near(depth_m, fine.depth_m, off_m);
                 let sums =

@@ -19,7 +19,7 @@ use cmra::worker::{JobProgress, ReportBody, Task, TaskReport};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{
     Arrest, ContactMode, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis,
-    Event, EventKind, InterfaceLoad, MechanismLoad, Outcome, Run, RunWarning, Sample,
+    Event, EventKind, InterfaceLoad, MechanismLoad, Outcome, Penetration, Run, RunWarning, Sample,
 };
 use cmra_engine::model::scene::{Mount, PlateSize, Scene};
 use cmra_studies::study::context::{Answer, Progress, Reach};
@@ -407,12 +407,14 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
             plate_displacement_m: arrest.plate_displacement_m,
             plate_velocity_m_s: arrest.plate_velocity_m_s,
         }),
-        final_penetration_m: Some(shape.depth_m),
-        baseline_penetration_m: Some(0.007_113),
+        penetration: Penetration {
+            final_m: Some(shape.depth_m),
+            baseline_m: Some(0.007_113),
+            at_most_m: None,
+        },
         peak_contact_force_n: Some(17_745.0),
         max_plate_displacement_m: Some(shape.sample(TURN_S).plate_displacement_m),
         at_least: cmra_engine::model::run::AtLeast::default(),
-        penetration_at_most_m: None,
         departure: Departure::default(),
         interface: InterfaceLoad { demand_ratio: Some(0.108), tension_ratio: Some(0.0) },
         estimate: ErrorEstimate {
@@ -455,7 +457,7 @@ fn perforate(run: &mut Run, shape: &Shape) {
     run.first_arrest = None;
     run.departure.residual_velocity_m_s = Some(41.3);
     run.departure.exit_time_s = Some(exit_s);
-    run.final_penetration_m =
+    run.penetration.final_m =
         Some(run.scene.target.thickness_m + run.scene.projectile.tip_radius_m);
     run.events = vec![
         Event { t_s: 90e-6, kind: EventKind::RearFace },

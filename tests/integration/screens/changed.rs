@@ -8,7 +8,7 @@ fn upper(bench: &Bench) -> String {
 }
 
 fn depth_mm(bench: &Bench) -> f64 {
-    made(&bench.app.scene).final_penetration_m.unwrap() * 1e3
+    made(&bench.app.scene).penetration.final_m.unwrap() * 1e3
 }
 
 #[test]
@@ -33,7 +33,7 @@ fn titles_say_the_difference_until_the_next_edit() {
 fn depth_mm_of(velocity_m_s: f64, bench: &Bench) -> f64 {
     let mut scene = (*bench.app.scene).clone();
     scene.projectile.velocity_m_s = velocity_m_s;
-    made(&scene.into()).final_penetration_m.unwrap() * 1e3
+    made(&scene.into()).penetration.final_m.unwrap() * 1e3
 }
 
 /// Held arrows are one edit: the difference is to where they began, as undo goes back there.

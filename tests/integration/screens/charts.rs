@@ -162,7 +162,7 @@ fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
         let mut shown = bench.app.shown.clone().unwrap();
         let run = Arc::make_mut(&mut shown.run);
         run.max_plate_displacement_m = Some(9.178e-13);
-        run.final_penetration_m = Some(12_345.678);
+        run.penetration.final_m = Some(12_345.678);
         run.peak_contact_force_n = Some(1.234_5e-9);
         bench.app.shown = Some(shown);
         bench.app.focus_on(run::RUNS);

@@ -748,7 +748,7 @@ fn force_over_displacement_is_drawn_over_the_whole_way_of_the_plate() {
 fn the_run_tab_says_what_came_of_the_shot() {
     let mut bench = bench();
     let run = bench.app.shown.as_ref().unwrap().run.clone();
-    let depth_mm = 1e3 * run.final_penetration_m.unwrap();
+    let depth_mm = 1e3 * run.penetration.final_m.unwrap();
     let greatest_mm = 1e3 * run.max_plate_displacement_m.unwrap();
     let screen = bench.screen();
     for words in [

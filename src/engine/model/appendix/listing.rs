@@ -50,12 +50,12 @@ pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Ob
         let second = compute(scene, half, false, observer);
         estimate::set(&mut run, &second, EstimateBasis::HalfStep);
     }
-    run.baseline_penetration_m = if scene.is_sprung() {
+    run.penetration.baseline_m = if scene.is_sprung() {
         let mut rigid = Scene::clone(scene);
         rigid.plate.mount = Mount::Rigid;
-        compute(&Arc::new(rigid), listing, false, observer).final_penetration_m
+        compute(&Arc::new(rigid), listing, false, observer).penetration.final_m
     } else {
-        run.final_penetration_m
+        run.penetration.final_m
     };
     run
 }
@@ -284,7 +284,7 @@ impl Work {
         self.run.peak_contact_force_n = Some(self.peak_n);
         self.run.mechanism.peak_mount_n = (!is_rigid).then_some(self.peak_mount_n);
         let is_decided = self.run.outcome != Outcome::Moving;
-        self.run.final_penetration_m = is_decided.then_some(self.deepest_m);
+        self.run.penetration.final_m = is_decided.then_some(self.deepest_m);
         if !self.run.end.is_complete() {
             self.run.warnings.push(RunWarning::EndedEarly(self.run.end));
             let is_known = is_rigid || self.run.max_plate_displacement_m.is_some();

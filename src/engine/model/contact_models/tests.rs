@@ -25,7 +25,7 @@ fn run(pairs: &str) -> Run {
 }
 
 fn depth_mm(run: &Run) -> f64 {
-    run.final_penetration_m.unwrap() * 1e3
+    run.penetration.final_m.unwrap() * 1e3
 }
 
 fn close(value: f64, expected: f64, relative: f64) -> bool {
@@ -131,7 +131,7 @@ fn valid_a_joined_plate_goes_as_far_on_any_spring_as_its_energy_allows() {
         let joined_kg = 0.0295 + scene.plate_mass_kg() + Inertia::from_scene(&scene).added_kg;
         let energy_j = 0.5 * (0.0295 * scene.projectile.velocity_m_s).powi(2) / joined_kg;
         let run = run_of(&scene);
-        assert_eq!((run.final_penetration_m, run.peak_contact_force_n), (None, None));
+        assert_eq!((run.penetration.final_m, run.peak_contact_force_n), (None, None));
         assert_eq!(run.first_arrest, None);
         assert!(run.ledger.residual().abs() < 1e-11, "{pairs}: {}", run.ledger.residual());
         if let Some(reach_m) = run.max_plate_displacement_m {
@@ -264,7 +264,7 @@ fn a_listing_without_a_stop_time_says_how_far_the_plate_is_when_its_steps_are_us
         (run.max_plate_displacement_m, run.at_least.plate_displacement_m),
         (None, Some(0.0))
     );
-    assert!(run.baseline_penetration_m.is_some());
+    assert!(run.penetration.baseline_m.is_some());
     assert_eq!(listing("dt=1e-11 mount=rigid").end, EndReason::StepBudget);
     assert!(listing("k=0").max_plate_displacement_m.is_none());
 }
@@ -290,7 +290,7 @@ fn ignored_jumps_end_in_no_number_and_what_the_listing_lacks_is_noted() {
     let ignored = Listing { corrects_jumps: false, ..Listing::default() };
     let run = listed("mount=rigid", ignored);
     assert_eq!(run.end, EndReason::NonFinite);
-    assert!(!run.series.is_empty() && run.final_penetration_m.is_none());
+    assert!(!run.series.is_empty() && run.penetration.final_m.is_none());
     for (pairs, missing) in
         [("x_stop=0.001", NotModelled::Stop), ("h=0.003 v_i=300", NotModelled::PartingBehindHole)]
     {

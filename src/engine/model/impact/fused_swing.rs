@@ -186,7 +186,7 @@ mod tests {
             let swung = by(IntegrationMethod::Collocation(1e-12));
             let stepped = by(IntegrationMethod::Dop853(1e-13));
             assert_eq!((swung.outcome, swung.cost.events), (stepped.outcome, stepped.cost.events));
-            let depths = [&swung, &stepped].map(|run| run.final_penetration_m.unwrap());
+            let depths = [&swung, &stepped].map(|run| run.penetration.final_m.unwrap());
             assert!(is_near(depths[0], depths[1], 1e-10), "{pairs} {depths:?}");
             assert!(swung.ledger.residual().abs() < 1e-11, "{pairs}");
             assert!(swung.cost.rhs_evaluations < stepped.cost.rhs_evaluations, "{pairs}");

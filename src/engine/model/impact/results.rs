@@ -14,7 +14,8 @@ use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
     AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, EventKind,
-    InterfaceLoad, LeftOut, MechanismLoad, NotModelled, Outcome, Run, RunWarning, Sample,
+    InterfaceLoad, LeftOut, MechanismLoad, NotModelled, Outcome, Penetration, Run, RunWarning,
+    Sample,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -322,10 +323,10 @@ impl ImpactRun<'_> {
         let limits =
             load::exceeded(scene, at_m).map(RunWarning::Limit).filter(|_| !setup.is_rigid_mount);
         // Effects that the contact model does not include.
-        let depth_m = run.final_penetration_m.filter(|_| !self.flows());
+        let depth_m = run.penetration.final_m.filter(|_| !self.flows());
         let is_through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);
         let is_plastic = !self.flows() && scene.interface.law == InterfaceLaw::Plastic;
-        let Run { outcome, at_least, first_arrest, baseline_penetration_m, .. } = *run;
+        let Run { outcome, at_least, first_arrest, penetration, .. } = *run;
         let Target { tensile_pa, yield_pa, .. } = scene.target;
         let no_hardening = RunWarning::NoHardening { tensile_pa, yield_pa };
         let is_moving = outcome == Outcome::Moving || at_least != AtLeast::default();
@@ -339,7 +340,7 @@ impl ImpactRun<'_> {
             setup.law.overruns(first_arrest.map(|arrest| arrest.t_s)),
             omitted_weight.map(|fraction| RunWarning::WeightOmitted { fraction }),
             // No warning for a stack, where the projectile hits the next plate, or for a model without depth.
-            (baseline_penetration_m.is_none() && self.flows() && !scene.is_stack())
+            (penetration.baseline_m.is_none() && self.flows() && !scene.is_stack())
                 .then_some(RunWarning::NoBaseline),
             is_moving.then_some(RunWarning::StillMoving { outcome, at_least }),
         ];
@@ -389,9 +390,9 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     );
     let hole_m = course.setup.law.hole_m(course.deepest_m());
     let hole_m = hole_m.map(|travel_m| geometry.depth_m(travel_m));
-    let penetration_at_most_m =
+    let at_most_m =
         if outcome == Outcome::Moving { course.depth_at_most_m() } else { course.within_m() };
-    let final_penetration_m = course.final_m(outcome, hole_m, penetration_at_most_m);
+    let final_m = course.final_m(outcome, hole_m, at_most_m);
     let moved = course.record.series.iter().map(|row| row.plate_displacement_m);
     let max_plate_displacement_m = course.max_displacement_m().map(|peak_m| raised(peak_m, moved));
     if course.setup.turning_kg == 0.0 {
@@ -401,7 +402,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let is_bounded = course.decided.is_none_or(|(_, far_m)| far_m.is_finite());
     // On a rigid mount both depths are identical.
     let is_own = course.setup.is_rigid_mount && !course.flows();
-    let baseline_m = final_penetration_m.filter(|_| is_own).or_else(|| course.baseline_m());
+    let baseline_m = final_m.filter(|_| is_own).or_else(|| course.baseline_m());
     let series = std::mem::take(&mut course.record.series);
     let mut events = std::mem::take(&mut course.record.events);
     let record = &course.record;
@@ -415,16 +416,14 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
         outcome,
         end,
         first_arrest: record.first_arrest,
-        final_penetration_m,
-        baseline_penetration_m: baseline_m,
+        penetration: Penetration { final_m, baseline_m, at_most_m },
         peak_contact_force_n: hole_m.map(|_| record.peak_contact_n),
         max_plate_displacement_m,
         at_least: AtLeast {
-            penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
+            penetration_m: hole_m.filter(|_| final_m.is_none()),
             plate_displacement_m: (max_plate_displacement_m.is_none() && is_bounded)
                 .then_some(record.farthest_m),
         },
-        penetration_at_most_m,
         departure: Departure {
             exit_time_s: record.exit.map(|exit| exit.t_s),
             residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
@@ -526,7 +525,7 @@ mod tests {
             gather(course, EndReason::StepBudget)
         });
         let energy_j = |p: f64| 1.5 * std::f64::consts::PI * (0.00635 - p / 3.0) * p * p * 1.52e8;
-        let more_j = energy_j(run.penetration_at_most_m.unwrap()) - energy_j(4e-3);
+        let more_j = energy_j(run.penetration.at_most_m.unwrap()) - energy_j(4e-3);
         assert!(is_near(more_j, 42.825, 1e-12), "{more_j}");
         assert!(is_near(run.at_least.penetration_m.unwrap(), 4e-3, 1e-14));
         assert_eq!(run.at_least.plate_displacement_m, Some(2e-3));

@@ -65,7 +65,7 @@ fn valid_a_half_sine_on_a_free_plate_and_on_a_rigid_mount() {
     assert!(is_near(arrest.plate_displacement_m, 0.01 * (0.25 - 0.5 / pi), 1e-12));
     assert!(is_near(free.peak_contact_force_n.unwrap(), 0.5 * pi * 0.0295 * 100.0 / 1e-4, 1e-12));
     let rigid = shot("mount=rigid dishing=off model=half-sine t_d=1e-4");
-    assert!(is_near(rigid.final_penetration_m.unwrap(), 5e-3, 1e-12));
+    assert!(is_near(rigid.penetration.final_m.unwrap(), 5e-3, 1e-12));
     assert!(is_near(rigid.first_arrest.unwrap().t_s, 1e-4, 1e-12));
 }
 
@@ -78,7 +78,7 @@ fn valid_every_method_steps_to_the_same_end() {
             let run = run_to_end(&scene, stepping, Settings::BARE);
             assert!(run.end.is_complete(), "{pairs}: {stepping:?} {:?}", run.end);
             let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.departure.exit_time_s);
-            [time_s, run.final_penetration_m, run.peak_contact_force_n].map(Option::unwrap)
+            [time_s, run.penetration.final_m, run.peak_contact_force_n].map(Option::unwrap)
         };
         let exact = end(IntegrationMethod::Collocation(1e-13));
         for (stepping, within) in [
@@ -298,7 +298,7 @@ fn valid_a_plug_is_sheared_as_by_equal_steps_of_both_bodies() {
         if through {
             near(run.departure.exit_time_s.unwrap(), t);
             near(run.departure.residual_velocity_m_s.unwrap(), left + plate);
-            near(run.final_penetration_m.unwrap(), h - h_p + slip);
+            near(run.penetration.final_m.unwrap(), h - h_p + slip);
         } else {
             let arrest = run.first_arrest.unwrap();
             near(arrest.t_s, t);
@@ -328,14 +328,14 @@ fn a_run_takes_no_more_work_than_it_may() {
     };
     let whole = by(usize::MAX);
     let needed = whole.cost.work();
-    let depth_m = whole.final_penetration_m.unwrap();
+    let depth_m = whole.penetration.final_m.unwrap();
     let few = by(needed / 2);
-    assert_eq!((few.end, few.final_penetration_m), (EndReason::StepBudget, None));
+    assert_eq!((few.end, few.penetration.final_m), (EndReason::StepBudget, None));
     assert!(few.cost.work() < needed && few.estimate.main.is_none());
     assert!(few.at_least.penetration_m.unwrap() < depth_m);
-    assert!(few.penetration_at_most_m.is_none_or(|most_m| most_m > depth_m));
+    assert!(few.penetration.at_most_m.is_none_or(|most_m| most_m > depth_m));
     let alone = by(needed);
-    assert_eq!(alone.final_penetration_m, whole.final_penetration_m);
+    assert_eq!(alone.penetration.final_m, whole.penetration.final_m);
     assert!(whole.estimate.main.unwrap() < 1e-9 && alone.estimate.main == Some(f64::INFINITY));
 }
 
@@ -412,7 +412,7 @@ fn valid_lumped_bodies_that_come_to_rest_by_equal_steps() {
             run.departure.separation,
             run.first_arrest
         );
-        let depth = run.final_penetration_m.unwrap();
+        let depth = run.penetration.final_m.unwrap();
         assert!(
             is_near(depth, deepest * (1.0 - 1.0 / stiffer), 1e-6),
             "{pairs}: {depth} {deepest}"

@@ -33,7 +33,7 @@ impl RunResult {
             Self::ArrestTime => Some(run.first_arrest?.t_s),
             Self::ArrestPlateDisplacement => Some(run.first_arrest?.plate_displacement_m),
             Self::ArrestPlateVelocity => Some(run.first_arrest?.plate_velocity_m_s),
-            Self::FinalPenetration => run.final_penetration_m,
+            Self::FinalPenetration => run.penetration.final_m,
             Self::PeakContactForce => run.peak_contact_force_n,
             Self::MaxPlateDisplacement => run.max_plate_displacement_m,
             Self::Stroke => run.stroke_m(),

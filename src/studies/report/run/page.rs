@@ -54,7 +54,7 @@ fn known_outcome(run: &Run) -> String {
     let word = run.outcome.word();
     let percent = run.percent_of_baseline();
     let percent = percent.map_or_else(String::new, |it| format!(" ({it:.1} % of a rigid mount)"));
-    match (run.outcome, run.final_penetration_m, run.departure.residual_velocity_m_s) {
+    match (run.outcome, run.penetration.final_m, run.departure.residual_velocity_m_s) {
         (Outcome::Perforated, _, Some(speed)) => {
             format!("{word}, residual velocity {}", short(speed.abs(), "m/s"))
         }
@@ -87,7 +87,7 @@ fn known_sentence(run: &Run) -> String {
             short(out, "m")
         );
     }
-    let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
+    let depth = run.penetration.final_m.map(|depth_m| short(depth_m, "m"));
     match run.outcome {
         Outcome::Arrested => depth.map_or_else(
             || "arrested: the projectile stays in the plate; this model knows no depth".to_owned(),
@@ -122,7 +122,7 @@ fn known_sentence(run: &Run) -> String {
 }
 
 fn arrested(run: &Run, depth: &str) -> String {
-    let share = match (run.percent_of_baseline(), run.baseline_penetration_m) {
+    let share = match (run.percent_of_baseline(), run.penetration.baseline_m) {
         (Some(percent), Some(baseline)) if run.scene.is_sprung() => {
             let percent = fixed_significant(percent, 4);
             format!(", {percent} % of the {} on a rigid mount", short(baseline, "m"))
@@ -183,11 +183,11 @@ pub fn results(run: &Run) -> Vec<Labelled> {
         ("  time", known(arrest.map(|it| it.t_s), "s")),
         ("  plate displacement", known(arrest.map(|it| it.plate_displacement_m), "m")),
         ("  common velocity", known(arrest.map(|it| it.plate_velocity_m_s), "m/s")),
-        ("final depth", known(run.final_penetration_m, "m")),
+        ("final depth", known(run.penetration.final_m, "m")),
         ("depth so far", known(so_far.penetration_m, "m")),
-        ("  at most, by energy", known(run.penetration_at_most_m, "m")),
+        ("  at most, by energy", known(run.penetration.at_most_m, "m")),
         ("nose out of rear face", known(run.protrusion_m(), "m")),
-        ("  on a rigid mount", known(run.baseline_penetration_m, "m")),
+        ("  on a rigid mount", known(run.penetration.baseline_m, "m")),
         ("  of the rigid mount's", rounded(run.percent_of_baseline(), " %")),
         ("exit time", known(run.departure.exit_time_s, "s")),
         ("residual velocity", known(run.departure.residual_velocity_m_s, "m/s")),
@@ -224,7 +224,7 @@ fn if_it_yields(plastic: &Run) -> String {
     let deep = || {
         let percent = plastic.percent_of_baseline();
         let percent = percent.map(|it| format!(", {} %", fixed_significant(it, 4)));
-        let depth = short(plastic.final_penetration_m?, "m");
+        let depth = short(plastic.penetration.final_m?, "m");
         Some(format!(", {depth} deep{}", percent.unwrap_or_default()))
     };
     let result = if plastic.shot_outcome() == Outcome::Perforated { left } else { deep() };

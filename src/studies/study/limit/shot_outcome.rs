@@ -38,7 +38,7 @@ impl ShotOutcome {
             Outcome::Moving => {
                 let behind = run.stack.as_ref().and_then(|stack| stack.behind.last());
                 let plate = behind.map_or(run, |last| last);
-                let most_m = plate.final_penetration_m.or(plate.penetration_at_most_m);
+                let most_m = plate.penetration.final_m.or(plate.penetration.at_most_m);
                 let through_m = match run.scene.target.criterion {
                     Criterion::Passage => f64::INFINITY,
                     Criterion::Protrusion => plate.scene.effective_thickness_m(),

@@ -40,7 +40,7 @@ fn results_are_those_of_single_runs() {
                 let mut own = scene(pairs);
                 effect.axis.set(&mut own, value_at(&effect.axis, at));
                 let run = plain_run(&own).unwrap();
-                let pair = (point.unwrap().result, run.final_penetration_m);
+                let pair = (point.unwrap().result, run.penetration.final_m);
                 let is_same = match pair {
                     (Some(found), Some(exact)) => (found - exact).abs() <= 1e-7 * exact,
                     (found, exact) => found == exact,
@@ -71,7 +71,7 @@ fn valid_the_slope_over_the_impact_velocity() {
 #[test]
 fn slopes_at_zero_are_from_above() {
     let report = computed("", &Request::default());
-    let depth = |b: &str| plain_run(&scene(b)).unwrap().final_penetration_m.unwrap();
+    let depth = |b: &str| plain_run(&scene(b)).unwrap().penetration.final_m.unwrap();
     let slope = report.effect("b").unwrap().slope.unwrap();
     // Richardson extrapolation of forward differences.
     let forward = |h: f64| (depth(&format!("b={h}")) - depth("b=0")) / h;

@@ -101,7 +101,7 @@ mod tests {
                 let (value, exact) = (value.unwrap(), exact.unwrap());
                 assert!((value - exact).abs() <= 1e-7 * exact, "{design:?}: {value} {exact}");
             };
-            close(found.values[0], run.final_penetration_m);
+            close(found.values[0], run.penetration.final_m);
             close(found.values[1], run.stroke_m());
             let farthest = run.max_plate_displacement_m.unwrap();
             let energy = 0.5 * design[1] * farthest * farthest;

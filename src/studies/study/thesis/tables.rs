@@ -174,7 +174,7 @@ pub(super) const CLAIMS: &[Claim] = &[
             }
             let run = shots.run("k=0 x_stop=0.01 interface=plastic");
             let first = run.first_arrest.map_or(f64::NAN, |it| it.penetration_m);
-            let last = run.final_penetration_m.unwrap_or(f64::NAN);
+            let last = run.penetration.final_m.unwrap_or(f64::NAN);
             let rigid = shots.depth_m("mount=rigid");
             let [first, last] = [first, last].map(|depth| 100.0 * depth / rigid);
             let text = format!("{} % at the first stop, {} % in the end", four(first), four(last));

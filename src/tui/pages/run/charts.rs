@@ -37,7 +37,7 @@ const SETTLED: f64 = 1e-2;
 pub(crate) fn is_held(run: &Run) -> bool {
     let farthest = run.max_plate_displacement_m.map(f64::abs);
     let starts_at_zero = run.scene.start_m() == 0.0;
-    let fraction = farthest.zip(run.final_penetration_m).map(|(farthest, depth)| farthest / depth);
+    let fraction = farthest.zip(run.penetration.final_m).map(|(farthest, depth)| farthest / depth);
     starts_at_zero && fraction.is_some_and(|fraction| fraction < HELD)
 }
 

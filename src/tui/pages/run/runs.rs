@@ -96,7 +96,7 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
 /// Describes the difference of the current run to the selected pin, else to the first one, and the changed variables.
 pub(crate) fn difference(app: &App) -> Option<String> {
     let pin = selected_pin(app).or_else(|| app.pins.first())?;
-    let depth = |run: &Run| run.final_penetration_m.filter(|_| run.outcome == Outcome::Arrested);
+    let depth = |run: &Run| run.penetration.final_m.filter(|_| run.outcome == Outcome::Arrested);
     let pair = app.shown.as_ref().zip(pin.run.as_ref());
     let pair = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));
     let gained = pair.map_or_else(

@@ -63,7 +63,7 @@ fn greatest(quantity: Channel, run: &Run) -> f64 {
 fn headline(quantity: Channel, run: &Run) -> Option<f64> {
     match quantity {
         Channel::Penetration if run.outcome == Outcome::Perforated => None,
-        Channel::Penetration => run.final_penetration_m,
+        Channel::Penetration => run.penetration.final_m,
         Channel::ContactForce => run.peak_contact_force_n,
         Channel::PlateDisplacement => run.max_plate_displacement_m,
         _ => quantity.is_over_time().then(|| greatest(quantity, run)),
@@ -125,7 +125,7 @@ fn depth_titles(name: &str, run: &Run) -> Vec<String> {
 
 /// Describes the depth of a shot and the motion after the first contact; `None` if unknown.
 fn depth(run: &Run) -> Option<String> {
-    let depth_m = run.final_penetration_m?;
+    let depth_m = run.penetration.final_m?;
     if run.outcome == Outcome::Perforated {
         return Some(through(run));
     }
@@ -172,7 +172,7 @@ fn plastic(run: &Run) -> Option<String> {
     if plastic.outcome == Outcome::Perforated {
         return Some(through(plastic));
     }
-    plastic.final_penetration_m.map(|depth_m| engineering(depth_m, "m"))
+    plastic.penetration.final_m.map(|depth_m| engineering(depth_m, "m"))
 }
 
 fn peak(run: &Run) -> String {
