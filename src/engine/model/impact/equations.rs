@@ -5,7 +5,7 @@
 
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
-use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::parameters::{ImpactParameters, Masses, StopParameters};
 use crate::model::impact::state::State;
 use crate::numerics::step::{Jacobian, Point};
 use crate::numerics::{larger, smaller};
@@ -38,16 +38,16 @@ impl Equations<'_> {
 
     /// Returns the displacement beyond the stop, m.
     pub(super) fn beyond_stop_m(&self, x_m: f64) -> f64 {
-        x_m - (self.setup.stop_at_m - self.mode.origin_m)
+        x_m - (self.setup.stop.position_m - self.mode.origin_m)
     }
 
     /// Returns strength and drag coefficient of the contact in the present direction.
     fn pressure(&self) -> (f64, f64) {
-        let ImpactParameters { strength_pa, drag_kg_m3, grip, .. } = *self.setup;
+        let ImpactParameters { strength_pa, drag_kg_m3, interface, .. } = *self.setup;
         match self.mode.contact {
             Contact::Penetrating => (strength_pa, drag_kg_m3),
-            Contact::Closing => (grip * strength_pa, 0.0),
-            _ => (-grip * strength_pa, 0.0),
+            Contact::Closing => (interface.grip * strength_pa, 0.0),
+            _ => (-interface.grip * strength_pa, 0.0),
         }
     }
 
@@ -119,14 +119,15 @@ impl Equations<'_> {
 
     /// Returns the force of the elastic stop as if it could also pull, N.
     pub(super) fn stop_n(&self, x_m: f64, w_m_s: f64) -> f64 {
-        self.setup.stop_n_m * self.beyond_stop_m(x_m) + self.setup.stop_n_s_m * w_m_s
+        let StopParameters { stiffness_n_m, damping_n_s_m, .. } = self.setup.stop;
+        stiffness_n_m * self.beyond_stop_m(x_m) + damping_n_s_m * w_m_s
     }
 
     /// Returns the derivatives of the mechanism's force by displacement and velocity. An infinite derivative is replaced by that at a
     /// distance of a rounding error.
     pub(super) fn mechanism_slopes(&self, x_m: f64, w_m_s: f64) -> (f64, f64) {
-        let ImpactParameters { stop_n_m, stop_n_s_m, .. } = *self.setup;
-        let (k, b) = if self.mode.is_pressed { (stop_n_m, stop_n_s_m) } else { (0.0, 0.0) };
+        let StopParameters { stiffness_n_m, damping_n_s_m, .. } = self.setup.stop;
+        let (k, b) = if self.mode.is_pressed { (stiffness_n_m, damping_n_s_m) } else { (0.0, 0.0) };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
         let ([_, x_least_m], [_, w_least_m_s]) = self.least_sizes();
         let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
@@ -144,7 +145,7 @@ impl Equations<'_> {
                 self.contact_n(state) * self.setup.cos + self.joined_weight_n()
             }
             PlateConstraint::Free => {
-                let turning_kg = self.setup.turning_kg;
+                let turning_kg = self.setup.mass.turning_kg;
                 let turns = turning_kg > 0.0;
                 let turning_n = if turns { turning_kg * self.accelerations(state).1 } else { 0.0 };
                 self.mechanism_n(state.x_m, state.w_m_s) + turning_n
@@ -154,7 +155,11 @@ impl Equations<'_> {
 
     /// Returns the mass that moves with the plate, kg: with the projectile if fused.
     pub(super) fn moving_kg(&self) -> f64 {
-        if self.mode.contact == Contact::Fused { self.setup.joined_kg } else { self.setup.plate_kg }
+        if self.mode.contact == Contact::Fused {
+            self.setup.mass.joined_kg
+        } else {
+            self.setup.mass.plate_kg
+        }
     }
 
     /// Returns `true` if the plate is fixed.
@@ -170,7 +175,7 @@ impl Equations<'_> {
 
     /// Returns the accelerations caused by forces of the contact and of the mechanism.
     fn moved_by(&self, contact_n: f64, mechanism_n: impl Fn() -> f64) -> (f64, f64) {
-        let ImpactParameters { projectile_kg, cos, .. } = *self.setup;
+        let ImpactParameters { mass: Masses { projectile_kg, .. }, cos, .. } = *self.setup;
         let plate = if self.plate_rests() {
             0.0
         } else {
@@ -194,7 +199,7 @@ impl Equations<'_> {
         } else {
             (self.mechanism_slopes(state.x_m, state.w_m_s), 1.0 / self.moving_kg())
         };
-        let slip = 1.0 / setup.projectile_kg + setup.cos * setup.cos * plate;
+        let slip = 1.0 / setup.mass.projectile_kg + setup.cos * setup.cos * plate;
         let slip_by_plate = if self.mode.contact == Contact::Fused { 0.0 } else { setup.cos };
         let rows = |contact: f64, mechanism: f64| {
             [
@@ -232,12 +237,12 @@ impl Equations<'_> {
 
     /// Returns the negligible velocity of the plate, m/s.
     pub(super) fn unresolved_m_s(&self) -> f64 {
-        VELOCITY_RESOLUTION * self.setup.velocity_m_s
+        VELOCITY_RESOLUTION * self.setup.reference.velocity_m_s
     }
 
     /// Returns the smallest error scales: 1e-3 of the reference length and velocity; for the plate 1e-9 and 1e-6 of these.
     fn least_sizes(&self) -> Point<2> {
-        let (r, v) = (self.setup.length_m, self.setup.velocity_m_s);
+        let (r, v) = (self.setup.reference.length_m, self.setup.reference.velocity_m_s);
         ([1e-3 * r, 1e-9 * r], [1e-3 * v, 1e-6 * v])
     }
 

@@ -33,7 +33,9 @@ fn of_contact(setup: &ImpactParameters, mode: &HybridMode) -> &'static [Event] {
     let is_free = mode.hold == PlateConstraint::Free;
     match (setup.law, mode.contact) {
         (_, Contact::Perforated) | (ContactLaw::AtOnce, _) => &[],
-        (_, Contact::Fused) if setup.plastic && is_free => &[Event::PushLimit, Event::PullLimit],
+        (_, Contact::Fused) if setup.interface.is_plastic && is_free => {
+            &[Event::PushLimit, Event::PullLimit]
+        }
         (_, Contact::Fused) => &[],
         (ContactLaw::Flow, Contact::Penetrating) => &[Event::PieceEnd, Event::SlipZero],
         (ContactLaw::Flow, Contact::Closing) => &[Event::PieceEnd, Event::SlipZero, Event::Bottom],
@@ -65,7 +67,7 @@ pub(super) fn event_function(equations: &Equations<'_>, event: Event, state: &St
         Event::KnotBehind => state.x_m - equations.knots_m().0,
         Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
         // An elastic stop follows a plate that moves backwards.
-        Event::StopReached if mode.w_side < 0.0 && setup.stop_n_m > 0.0 => {
+        Event::StopReached if mode.w_side < 0.0 && setup.stop.stiffness_n_m > 0.0 => {
             -equations.stop_n(state.x_m, state.w_m_s)
         }
         Event::StopReached => -equations.beyond_stop_m(state.x_m),

@@ -73,7 +73,7 @@ impl FreeOscillation {
 impl Equations<'_> {
     /// Returns the angular frequency of a small oscillation about a displacement, rad/s.
     fn radians_per_s(&self, at_m: f64) -> f64 {
-        (self.mode.spring.tangent(at_m) / self.setup.plate_kg).sqrt()
+        (self.mode.spring.tangent(at_m) / self.setup.mass.plate_kg).sqrt()
     }
 
     /// Returns the amplitudes of displacement, m, and velocity, m/s, at a displacement from the zero of the spring; 0 without stiffness.
@@ -100,7 +100,7 @@ impl Equations<'_> {
         if phase < RESOLVED_RAD {
             return 0.0;
         }
-        let accepted_m = self.setup.tolerance * self.error_scales(from).0[1];
+        let accepted_m = self.setup.numerics.tolerance * self.error_scales(from).0[1];
         let filtered = 1.0 + (FILTER * phase).powi(2);
         accepted_m * filtered * radians_per_s.sqrt()
     }
@@ -111,14 +111,14 @@ impl Equations<'_> {
         let Some(law) = setup.spring.power().filter(|law| law.exponent > SELF_SIMILAR) else {
             return 0.0;
         };
-        let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
-        let starts = setup.start_m == 0.0 && setup.start_m_s == 0.0 && !law.is_absent();
+        let state = State { u_m_s: setup.reference.velocity_m_s, ..State::default() };
+        let starts = setup.start.x_m == 0.0 && setup.start.w_m_s == 0.0 && !law.is_absent();
         if !starts || self.contact_n(&state) > 0.0 {
             return 0.0;
         }
         // x = F' t³/6 m and k x^n = F' t.
         let rate_n_s = self.rate_n_s(&state);
-        let part = (6.0 * setup.plate_kg / rate_n_s).cbrt() * rate_n_s / law.coefficient;
+        let part = (6.0 * setup.mass.plate_kg / rate_n_s).cbrt() * rate_n_s / law.coefficient;
         let balanced_m = part.powf(1.0 / (law.exponent - SELF_SIMILAR));
         START_AMPLITUDE * balanced_m * self.radians_per_s(balanced_m).sqrt()
     }

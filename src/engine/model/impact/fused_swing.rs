@@ -37,11 +37,11 @@ impl Equations<'_> {
     pub(super) fn fused_swing(&self, state: &State, horizon_s: f64) -> Option<FusedSwing> {
         let Equations { setup, mode } = self;
         let is_stepped = !matches!(
-            setup.stepping,
+            setup.numerics.method,
             IntegrationMethod::Collocation(_) | IntegrationMethod::Second(_)
         );
         let is_fused = mode.contact == Contact::Fused && mode.hold == PlateConstraint::Free;
-        if !(setup.plastic && is_fused) || is_stepped {
+        if !(setup.interface.is_plastic && is_fused) || is_stepped {
             return None;
         }
         let law = setup.spring.power().filter(|law| !law.is_absent())?;

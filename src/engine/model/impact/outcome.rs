@@ -39,7 +39,7 @@ impl Equations<'_> {
         let v = self.setup.projectile_m_s(state);
         let apart_j = match self.mode.contact {
             Contact::Fused | Contact::Perforated => 0.0,
-            _ => 0.5 * self.setup.projectile_kg * v * v,
+            _ => 0.5 * self.setup.mass.projectile_kg * v * v,
         };
         self.energy_j(state) + apart_j
     }
@@ -49,12 +49,12 @@ impl Equations<'_> {
     }
 
     fn stops_rigidly(&self) -> bool {
-        self.setup.restitution.is_some()
+        self.setup.stop.restitution.is_some()
     }
 
     /// Returns `true` without a damper and without a damping stop.
     pub(super) fn is_undamped(&self) -> bool {
-        self.setup.damper.is_absent() && self.setup.stop_n_s_m == 0.0
+        self.setup.damper.is_absent() && self.setup.stop.damping_n_s_m == 0.0
     }
 
     /// Returns an upper bound of the displacement of the plate with a given energy, m from the zero of the spring.
@@ -66,7 +66,7 @@ impl Equations<'_> {
     /// Returns `true` if the plate can reach its rigid stop with a given energy.
     fn meets_rigid_stop(&self, state: &State, energy_j: f64) -> bool {
         self.stops_rigidly()
-            && self.max_reachable_displacement_m(state, energy_j) >= self.setup.stop_at_m
+            && self.max_reachable_displacement_m(state, energy_j) >= self.setup.stop.position_m
     }
 
     /// Returns `true` if the plate moves backwards and no force acts on it there.
@@ -88,7 +88,8 @@ impl Equations<'_> {
         let back_m = mode.elastic.reach(self.displacement_m(state.x_m), energy_j, -1.0);
         let reach_m = self.max_reachable_displacement_m(state, energy_j);
         let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
-        let stop_n = if reach_m > setup.stop_at_m { setup.stop_n_s_m * speed } else { 0.0 };
+        let stop_n =
+            if reach_m > setup.stop.position_m { setup.stop.damping_n_s_m * speed } else { 0.0 };
         let damper_n = setup.damper.force(speed);
         let goes_on = has_nothing && state.w_m_s >= 0.0;
         let push_n = if self.leaves(state) { 0.0 } else { most_n + stop_n + damper_n };
@@ -118,8 +119,8 @@ impl Equations<'_> {
         if !Rule::Parting.applies() {
             return 0.0;
         }
-        let slow_m_s = PARTING * self.setup.velocity_m_s;
-        0.5 * self.setup.projectile_kg * slow_m_s * slow_m_s
+        let slow_m_s = PARTING * self.setup.reference.velocity_m_s;
+        0.5 * self.setup.mass.projectile_kg * slow_m_s * slow_m_s
     }
 
     /// Returns `true` if the remaining energy cannot part the bodies or the fused bodies are in equilibrium.
@@ -134,7 +135,9 @@ impl Equations<'_> {
     pub(super) fn outcome(&self, state: &State) -> Option<Outcome> {
         match self.mode.contact {
             Contact::Perforated => Some(Outcome::Perforated),
-            Contact::Fused if !self.setup.plastic || self.sticks_permanently(state) => {
+            Contact::Fused
+                if !self.setup.interface.is_plastic || self.sticks_permanently(state) =>
+            {
                 Some(Outcome::Arrested)
             }
             Contact::FreeFlight if self.is_separated(state) => Some(Outcome::Separated),
@@ -156,8 +159,12 @@ impl Equations<'_> {
 
     /// Returns the work needed to pull the projectile out of its hole, J; infinite for a fused interface.
     pub(super) fn pull_out_j(&self, state: &State) -> f64 {
-        let ImpactParameters { plastic, grip, strength_pa, .. } = *self.setup;
-        if plastic { grip * strength_pa * self.stuck_m3(state)[0] } else { f64::INFINITY }
+        let ImpactParameters { interface, strength_pa, .. } = *self.setup;
+        if interface.is_plastic {
+            interface.grip * strength_pa * self.stuck_m3(state)[0]
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// Volumes that the nose has swept up to its place and up to the bottom of the hole, m³.
@@ -187,7 +194,8 @@ impl Equations<'_> {
         let energy_j = self.energy_j(state);
         let gap_m = mode.deepest_m - state.q_m;
         let is_heavy = setup.weight_n > 0.0;
-        let is_slipping = setup.plastic && mode.contact == Contact::Fused && gap_m > 0.0;
+        let is_slipping =
+            setup.interface.is_plastic && mode.contact == Contact::Fused && gap_m > 0.0;
         let slips = is_slipping && !is_heavy && Rule::DepthInterval.applies();
         if !slips || gap_m > state.q_m || self.meets_rigid_stop(state, energy_j) {
             return None;
@@ -199,7 +207,7 @@ impl Equations<'_> {
         let load_n = load_at_most_n(energy_j);
         let strength_at_n = |q_m: f64| setup.geometry.area_m2(q_m) * setup.strength_pa;
         let strength_n = strength_at_n(mode.deepest_m);
-        let grip = smaller(setup.grip, 1.0);
+        let grip = smaller(setup.interface.grip, 1.0);
         let [here_n, bottom_n] = [state.q_m, mode.deepest_m].map(|q_m| grip * strength_at_n(q_m));
         let excess_at_n = |energy_j: f64| load_at_most_n(energy_j) - bottom_n;
         let spare_j = match (excess_at_n(0.0) < 0.0, load_n > bottom_n) {
@@ -231,7 +239,7 @@ impl Equations<'_> {
         // noticeably.
         let [here_m3, bottom_m3] = self.stuck_m3(state);
         let above_m3 = bottom_m3 - here_m3;
-        let to_bottom_j = setup.grip * setup.strength_pa * larger(above_m3, 0.0);
+        let to_bottom_j = setup.interface.grip * setup.strength_pa * larger(above_m3, 0.0);
         let is_exhausted = |energy_j: f64| {
             energy_j < to_bottom_j + NEGLIGIBLE * mode.deepest_m * strength_n
                 && energy_j < friction_j
@@ -241,7 +249,7 @@ impl Equations<'_> {
             return true;
         }
         if !self.leaves(state) && self.meets_rigid_stop(state, energy_j) {
-            let on_arrival_j = energy_j - mode.elastic.energy(setup.stop_at_m);
+            let on_arrival_j = energy_j - mode.elastic.energy(setup.stop.position_m);
             if !is_exhausted(on_arrival_j) {
                 return false;
             }
@@ -263,7 +271,7 @@ impl Equations<'_> {
         let may_deepen_m = NEGLIGIBLE * mode.deepest_m * strength_n / excess_n;
         let way_m = smaller(q_m, larger(mode.deepest_m - q_m, may_deepen_m));
         let area = smaller(geometry.area_m2(q_m - way_m), geometry.area_m2(q_m + way_m));
-        let friction_n = smaller(setup.grip, 1.0) * setup.strength_pa * area;
+        let friction_n = smaller(setup.interface.grip, 1.0) * setup.strength_pa * area;
         let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
         let is_off_stop = !self.meets_rigid_stop(state, energy_j);
         let [peak_push_n, peak_pull_n] = self.peak_load_bounds_n(state, larger(left_j, 0.0));
@@ -284,8 +292,11 @@ impl Equations<'_> {
         // The limit load of a plug decreases with each slip.
         let is_conservative = self.is_undamped() && setup.absorber.is_none() && !setup.shears();
         let is_conservative = is_conservative && setup.weight_n == 0.0;
-        let may_slip =
-            setup.plastic && is_past && is_joined && is_conservative && Rule::LastSlips.applies();
+        let may_slip = setup.interface.is_plastic
+            && is_past
+            && is_joined
+            && is_conservative
+            && Rule::LastSlips.applies();
         if !may_slip || self.meets_rigid_stop(state, energy_j) {
             return None;
         }
@@ -307,7 +318,7 @@ impl Equations<'_> {
             self.peak_load_bounds_n(state, larger(left_j, 0.0))[0]
                 - geometry.area_m2(q_m) * strength
         };
-        let most_m = 0.5 * setup.joined_kg * state.w_m_s * state.w_m_s / limit_push_n;
+        let most_m = 0.5 * setup.mass.joined_kg * state.w_m_s * state.w_m_s / limit_push_n;
         let is_enough = overload_n(most_m) < 0.0;
         let travel_m = || bracketed_root(0.0, most_m, overload_n) * (1.0 + 4.0 * f64::EPSILON);
         is_enough.then(travel_m)
@@ -321,7 +332,7 @@ impl Equations<'_> {
     /// Returns the limit loads of the interface in compression and in tension, N.
     pub(super) fn limit_loads_n(&self, state: &State) -> (f64, f64) {
         let strength_n = self.strength_n(state);
-        let friction_n = self.setup.grip * strength_n;
+        let friction_n = self.setup.interface.grip * strength_n;
         (if state.q_m >= self.mode.deepest_m { strength_n } else { friction_n }, friction_n)
     }
 
@@ -334,7 +345,7 @@ impl Equations<'_> {
         }
         let v = setup.projectile_m_s(state);
         let energy_j = self.energy_j(state);
-        let speed = (2.0 * energy_j / setup.plate_kg).sqrt();
+        let speed = (2.0 * energy_j / setup.mass.plate_kg).sqrt();
         if v < -speed * setup.cos {
             return true;
         }
@@ -381,7 +392,7 @@ impl Equations<'_> {
         }
         // Bodies that rest in a contact share the remaining energy.
         let rests_j = self.rests_in_contact_j(state);
-        let moving_kg = if rests_j.is_some() { setup.joined_kg } else { self.moving_kg() };
+        let moving_kg = if rests_j.is_some() { setup.mass.joined_kg } else { self.moving_kg() };
         let energy_j = rests_j.unwrap_or_else(|| self.energy_j(state));
         let x_m = self.displacement_m(state.x_m);
         // The plate reaches at least the equilibrium ahead, or its stop; its energy there has rounding errors.
@@ -399,7 +410,7 @@ impl Equations<'_> {
             return Some(so_far_m);
         }
         let reach_m = self.max_reachable_displacement_m(state, energy_j);
-        let stroke_m = larger(far_m.abs(), far_m - setup.start_m);
+        let stroke_m = larger(far_m.abs(), far_m - setup.start.x_m);
         if reach_m - far_m <= NEGLIGIBLE * stroke_m && Rule::Reach.applies() {
             return Some(far_m);
         }
@@ -409,21 +420,21 @@ impl Equations<'_> {
         let coasts = !mode.is_pressed && state.w_m_s > 0.0 && self.joined_weight_n() == 0.0;
         if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
             let end_m = x_m + coasting_m(setup.damper, moving_kg, state.w_m_s);
-            if end_m < setup.stop_at_m || !setup.has_stop() {
+            if end_m < setup.stop.position_m || !setup.has_stop() {
                 return Some(larger(end_m, so_far_m));
             }
             // The plate reaches its stop; the remaining energy bounds the compression of an elastic stop.
-            let way_m = setup.stop_at_m - x_m;
+            let way_m = setup.stop.position_m - x_m;
             let arrives_m_s = coasting_m_s(setup.damper, moving_kg, (state.w_m_s, way_m));
             let presses_m = if self.stops_rigidly() {
                 0.0
             } else {
-                arrives_m_s * (moving_kg / setup.stop_n_m).sqrt()
+                arrives_m_s * (moving_kg / setup.stop.stiffness_n_m).sqrt()
             };
-            let end_m = larger(setup.stop_at_m, so_far_m);
+            let end_m = larger(setup.stop.position_m, so_far_m);
             return (presses_m <= NEGLIGIBLE * larger(stroke_m, way_m)).then_some(end_m);
         }
-        let in_full = matches!(setup.stepping, IntegrationMethod::CollocationInFull(_));
+        let in_full = matches!(setup.numerics.method, IntegrationMethod::CollocationInFull(_));
         // Only the spring can reverse the motion.
         let by_spring = setup.damper.is_absent()
             && !setup.has_stop()
@@ -595,7 +606,7 @@ mod tests {
         let strength_n = setup.geometry.area_m2(0.012) * setup.strength_pa;
         let holding_j = 2.0 * strength_n * strength_n / 1e7;
         let energy_j = 1.001 * 1.001 * holding_j;
-        let w_m_s = -(2.0 * energy_j / setup.joined_kg).sqrt();
+        let w_m_s = -(2.0 * energy_j / setup.mass.joined_kg).sqrt();
         let mode = HybridMode { contact: Contact::Fused, deepest_m: 0.012, ..first(&setup).0 };
         let state = State { q_m: 0.012, w_m_s, ..State::default() };
         let travel_m =

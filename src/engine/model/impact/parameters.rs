@@ -24,14 +24,44 @@ pub(super) struct ImpactParameters {
     pub(super) damper: PowerLaw,
     /// Velocity below which a damper with exponent < 1 is linearised, m/s; else 0.
     pub(super) creep_m_s: f64,
-    /// Position of the stop, m; infinite without one.
-    pub(super) stop_at_m: f64,
-    /// Coefficient of restitution of the rigid stop; `None` without one.
+    pub(super) stop: StopParameters,
+    pub(super) mass: Masses,
+    /// Cosine of the obliquity.
+    pub(super) cos: f64,
+    pub(super) strength_pa: f64,
+    pub(super) drag_kg_m3: f64,
+    pub(super) interface: InterfaceParameters,
+    pub(super) reference: ReferenceScales,
+    pub(super) start: FirstContact,
+    /// Whether the mount is rigid.
+    pub(super) is_rigid_mount: bool,
+    pub(super) numerics: Numerics,
+    /// Parameters after the plug is picked up; `None` for a nose without a plug, and in these parameters themselves.
+    pub(super) plug: Option<Box<Self>>,
+    /// Factor of the relative velocity when the plug is picked up; 1 before.
+    pub(super) kept: f64,
+    /// Weight of the projectile along its axis, N; 0 if it is not included.
+    pub(super) weight_n: f64,
+}
+
+/// Stop of the plate.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StopParameters {
+    /// Position, m; infinite without a stop.
+    pub(super) position_m: f64,
+    /// Coefficient of restitution of a rigid stop; `None` without one.
     pub(super) restitution: Option<f64>,
     /// Stiffness of an elastic stop, N/m; else 0.
-    pub(super) stop_n_m: f64,
+    pub(super) stiffness_n_m: f64,
     /// Damping coefficient of an elastic stop, N s/m; else 0.
-    pub(super) stop_n_s_m: f64,
+    pub(super) damping_n_s_m: f64,
+}
+
+/// Masses of the bodies, kg.
+#[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_field_names, reason = "the ending is the unit")]
+pub(super) struct Masses {
+    /// Mass of the projectile, with a plug that it has picked up, kg.
     pub(super) projectile_kg: f64,
     /// Mass of the plate with the mass that the mechanism adds, kg.
     pub(super) plate_kg: f64,
@@ -39,37 +69,57 @@ pub(super) struct ImpactParameters {
     pub(super) turning_kg: f64,
     /// Mass of the fused bodies along the normal of the plate, kg.
     pub(super) joined_kg: f64,
-    pub(super) cos: f64,
-    pub(super) strength_pa: f64,
-    pub(super) drag_kg_m3: f64,
+}
+
+/// Interface between projectile and plate after the first arrest.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InterfaceParameters {
+    /// Whether the interface can slip after the first arrest.
+    pub(super) is_plastic: bool,
     /// Limit load in tension, relative to that in compression.
     pub(super) grip: f64,
-    /// Reference velocity, m/s: the larger of projectile velocity and closing velocity at first contact.
+}
+
+/// Reference quantities of the tolerances.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ReferenceScales {
+    /// Larger of projectile velocity and closing velocity at first contact, m/s.
     pub(super) velocity_m_s: f64,
-    /// Reference length, m: the smaller of the tip radius and the travel over which the strength alone stops the shot.
+    /// Smaller of the tip radius and the travel over which the strength alone stops the shot, m.
     pub(super) length_m: f64,
-    /// Displacement of the plate at first contact, m.
-    pub(super) start_m: f64,
-    /// Velocity of the plate at first contact, m/s.
-    pub(super) start_m_s: f64,
-    /// Relative velocity at first contact, m/s.
+}
+
+/// State at first contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FirstContact {
+    /// Displacement of the plate, m.
+    pub(super) x_m: f64,
+    /// Velocity of the plate, m/s.
+    pub(super) w_m_s: f64,
+    /// Relative velocity, m/s.
     pub(super) closing_m_s: f64,
-    /// Whether the interface can slip after the first arrest.
-    pub(super) plastic: bool,
-    /// Whether the mount is rigid.
-    pub(super) is_rigid_mount: bool,
+    /// Kinetic energy of projectile and plate, J.
+    pub(super) kinetic_j: [f64; 2],
+}
+
+/// Method and tolerance of the integration.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Numerics {
     /// Integration method.
-    pub(super) stepping: IntegrationMethod,
+    pub(super) method: IntegrationMethod,
     /// Relative tolerance of the local error.
     pub(super) tolerance: f64,
-    /// Kinetic energy of projectile and plate at first contact, J.
-    pub(super) initial_kinetic_j: [f64; 2],
-    /// Parameters after the plug is picked up; `None` for a nose without a plug, and in these parameters themselves.
-    pub(super) plug: Option<Box<Self>>,
-    /// Factor of the relative velocity when the plug is picked up; 1 before.
-    pub(super) kept: f64,
-    /// Weight of the projectile along its axis, N; 0 if it is not included.
-    pub(super) weight_n: f64,
+}
+
+impl StopParameters {
+    fn from_mechanism(mechanism: &Mechanism) -> Self {
+        Self {
+            position_m: mechanism.stop.and_then(|stop| stop.position_m).unwrap_or(f64::INFINITY),
+            restitution: mechanism.rigid_stop().map(|stop| stop.restitution),
+            stiffness_n_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.stiffness_n_m),
+            damping_n_s_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.damping_n_s_m),
+        }
+    }
 }
 
 impl ImpactParameters {
@@ -93,37 +143,41 @@ impl ImpactParameters {
             absorber: absorbs.then(|| Box::new(scene.mechanism.clone())),
             damper: mechanism.damper,
             creep_m_s: mechanism.damper.creep_m_s(given_m_s),
-            stop_at_m: mechanism.stop.and_then(|stop| stop.position_m).unwrap_or(f64::INFINITY),
-            restitution: mechanism.rigid_stop().map(|stop| stop.restitution),
-            stop_n_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.stiffness_n_m),
-            stop_n_s_m: mechanism.elastic_stop().map_or(0.0, |stop| stop.damping_n_s_m),
+            stop: StopParameters::from_mechanism(&mechanism),
             spring: mechanism.spring,
-            projectile_kg,
-            plate_kg,
-            turning_kg: Inertia::from_scene(scene).rotation_kg,
-            joined_kg: plate_kg + projectile_kg * cos * cos,
+            mass: Masses {
+                projectile_kg,
+                plate_kg,
+                turning_kg: Inertia::from_scene(scene).rotation_kg,
+                joined_kg: plate_kg + projectile_kg * cos * cos,
+            },
             cos,
             strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
             drag_kg_m3: if flows { scene.drag_kg_m3() } else { 0.0 },
-            grip: scene.interface.grip,
-            velocity_m_s,
-            length_m: if flows {
-                flow_length_m(scene, &geometry, velocity_m_s)
-            } else {
-                geometry.nose.radius_m
+            interface: InterfaceParameters {
+                is_plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
+                grip: scene.interface.grip,
             },
-            start_m: scene.start_m(),
+            reference: ReferenceScales {
+                velocity_m_s,
+                length_m: if flows {
+                    flow_length_m(scene, &geometry, velocity_m_s)
+                } else {
+                    geometry.nose.radius_m
+                },
+            },
             geometry,
-            start_m_s,
-            closing_m_s,
-            plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
+            start: FirstContact {
+                x_m: scene.start_m(),
+                w_m_s: start_m_s,
+                closing_m_s,
+                kinetic_j: [
+                    kinetic_j(projectile_kg, closing_m_s + start_m_s * cos),
+                    kinetic_j(plate_kg, start_m_s),
+                ],
+            },
             is_rigid_mount: !scene.is_sprung(),
-            stepping: IntegrationMethod::Collocation(tolerance),
-            tolerance,
-            initial_kinetic_j: [
-                kinetic_j(projectile_kg, closing_m_s + start_m_s * cos),
-                kinetic_j(plate_kg, start_m_s),
-            ],
+            numerics: Numerics { method: IntegrationMethod::Collocation(tolerance), tolerance },
             plug: None,
             kept: 1.0,
             weight_n: scene.weight_n() * cos,
@@ -136,25 +190,28 @@ impl ImpactParameters {
 
     /// Returns the parameters after a plug is picked up: it moves with the projectile, against the shear force at its rim.
     fn around(&self, plug: &Plug) -> Self {
-        let projectile_kg = self.projectile_kg + plug.mass_kg;
-        let plate_kg = self.plate_kg - plug.mass_kg;
+        let projectile_kg = self.mass.projectile_kg + plug.mass_kg;
+        let plate_kg = self.mass.plate_kg - plug.mass_kg;
         Self {
             geometry: self.geometry.around(plug, self.strength_pa),
-            projectile_kg,
-            plate_kg,
-            joined_kg: plate_kg + projectile_kg * self.cos * self.cos,
+            mass: Masses {
+                projectile_kg,
+                plate_kg,
+                joined_kg: plate_kg + projectile_kg * self.cos * self.cos,
+                ..self.mass
+            },
             strength_pa: plug.shear_pa,
             drag_kg_m3: 0.0,
-            kept: plug.kept(self.projectile_kg),
+            kept: plug.kept(self.mass.projectile_kg),
             ..self.clone()
         }
     }
 
     /// Returns the parameters with an integration method.
-    pub(super) fn by(mut self, stepping: IntegrationMethod) -> Self {
-        self.stepping = stepping;
+    pub(super) fn by(mut self, method: IntegrationMethod) -> Self {
+        self.numerics.method = method;
         self.creep_m_s *= self.threshold_factor();
-        self.plug = self.plug.map(|plug| Box::new(plug.by(stepping)));
+        self.plug = self.plug.map(|plug| Box::new(plug.by(method)));
         self
     }
 
@@ -170,14 +227,14 @@ impl ImpactParameters {
 
     /// Returns the combined law of spring and elastic stop, without damping.
     pub(super) fn with_stop(&self, spring: &Spring) -> Spring {
-        if self.stop_n_m == 0.0 {
+        if self.stop.stiffness_n_m == 0.0 {
             return spring.clone();
         }
-        spring.beside_stop(self.stop_at_m, self.stop_n_m)
+        spring.beside_stop(self.stop.position_m, self.stop.stiffness_n_m)
     }
 
     pub(super) fn has_stop(&self) -> bool {
-        self.stop_at_m.is_finite()
+        self.stop.position_m.is_finite()
     }
 
     /// Returns the spring and the crushed length of its absorber, m, for a plate that reverses at x; `None` if it is not crushed further.
@@ -189,35 +246,35 @@ impl ImpactParameters {
 
     /// Returns the fraction of the mechanism's force that the fused interface carries.
     pub(super) fn interface_fraction(&self) -> f64 {
-        self.projectile_kg * self.cos / self.joined_kg
+        self.mass.projectile_kg * self.cos / self.mass.joined_kg
     }
 
     /// Returns the reference time, s: reference length over reference velocity.
     pub(super) fn passage_s(&self) -> f64 {
-        self.length_m / self.velocity_m_s
+        self.reference.length_m / self.reference.velocity_m_s
     }
 
     /// Returns `true` if the plate starts at rest at a singular zero of its spring or damper.
     pub(super) fn starts_steep(&self) -> bool {
         let is_at_zero = !self.is_rigid_mount
-            && (self.start_m, self.start_m_s) == (0.0, 0.0)
+            && (self.start.x_m, self.start.w_m_s) == (0.0, 0.0)
             && self.spring.force(0.0) == 0.0;
         is_at_zero && self.spring.is_steep_at_zero() && self.law != ContactLaw::AtOnce
     }
 
     /// Returns `true` if the plate is at its stop or beyond at first contact.
     pub(super) fn starts_on_stop(&self) -> bool {
-        !self.is_rigid_mount && self.start_m >= self.stop_at_m
+        !self.is_rigid_mount && self.start.x_m >= self.stop.position_m
     }
 
     /// Returns the position of a rigid stop, m; infinite without one.
     pub(super) fn rigid_stop_m(&self) -> f64 {
-        if self.restitution.is_some() { self.stop_at_m } else { f64::INFINITY }
+        if self.stop.restitution.is_some() { self.stop.position_m } else { f64::INFINITY }
     }
 
     /// Returns the kinetic energy of both bodies at first contact, J.
     pub(super) fn initial_j(&self) -> f64 {
-        self.initial_kinetic_j.into_iter().sum()
+        self.start.kinetic_j.into_iter().sum()
     }
 
     /// Returns the velocity of the projectile, m/s.

@@ -11,7 +11,7 @@ use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::PlateConstraint;
-use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::parameters::{ImpactParameters, Masses};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::numerics::smaller;
@@ -43,7 +43,7 @@ const SINGULARITY_STEP_FRACTION: f64 = 0.55;
 impl ImpactParameters {
     /// Returns the displacement below which a plate counts as fixed, m: when first locked, or in all further bounces.
     pub(super) fn held_m(&self) -> f64 {
-        self.threshold_factor() * NEGLIGIBLE_AT_ZERO * self.length_m
+        self.threshold_factor() * NEGLIGIBLE_AT_ZERO * self.reference.length_m
     }
 
     /// Returns the factor on the thresholds of this file: smaller in the second computation of an error estimate, so that the difference of
@@ -54,19 +54,20 @@ impl ImpactParameters {
 
     /// Returns `true` for the second computation of an error estimate.
     pub(super) fn is_second(&self) -> bool {
-        matches!(self.stepping, IntegrationMethod::Second(_))
+        matches!(self.numerics.method, IntegrationMethod::Second(_))
     }
 
     /// Returns the displacement at which a relocked plate unlocks, m, for a travel of the projectile.
     pub(super) fn relock_displacement_m(&self, q_m: f64) -> f64 {
-        RELOCK_TOLERANCE_FACTOR * self.tolerance * smaller(q_m, self.length_m)
+        RELOCK_TOLERANCE_FACTOR * self.numerics.tolerance * smaller(q_m, self.reference.length_m)
     }
 }
 
 impl Equations<'_> {
     fn first_moment_s(&self) -> f64 {
-        let ImpactParameters { velocity_m_s, projectile_kg, plate_kg, cos, .. } = *self.setup;
-        let (slope_n_m, slope_n_s_m) = self.contact_slopes(0.0, velocity_m_s);
+        let ImpactParameters { reference, cos, .. } = *self.setup;
+        let Masses { projectile_kg, plate_kg, .. } = self.setup.mass;
+        let (slope_n_m, slope_n_s_m) = self.contact_slopes(0.0, reference.velocity_m_s);
         let by_place_s = smaller(self.setup.passage_s(), (projectile_kg / slope_n_m.abs()).sqrt());
         let slipping_kg = 1.0 / (1.0 / projectile_kg + cos * cos / plate_kg);
         self.setup.threshold_factor()
@@ -84,13 +85,13 @@ impl Equations<'_> {
         let t_s = self.first_moment_s();
         let setup = self.setup;
         // A plug that is picked up at once has reduced the velocity.
-        let v = setup.velocity_m_s * setup.kept;
+        let v = setup.reference.velocity_m_s * setup.kept;
         let moment = State { t_s, q_m: v * t_s, u_m_s: v, ..State::default() };
         let force_n = self.contact_n(&moment);
         let at_once = self.contact_n(&State { u_m_s: v, ..State::default() }) > 0.0;
         let grows = if at_once { 0.0 } else { 1.0 };
         let push_n = force_n * setup.cos;
-        let inertia = (grows + 1.0) * (grows + 2.0) * setup.plate_kg;
+        let inertia = (grows + 1.0) * (grows + 2.0) * setup.mass.plate_kg;
         let by_inertia = (push_n * t_s * t_s / inertia, grows + 2.0);
         let at_m = setup.spring.at_force(push_n);
         let by_spring = (at_m, grows * push_n / (at_m * setup.spring.tangent(at_m)));
@@ -100,12 +101,13 @@ impl Equations<'_> {
             .into_iter()
             .fold(by_inertia, |least, other| if other.0 < least.0 { other } else { least });
         let w_m_s = power * x_m / t_s;
-        let lost_m_s = force_n * t_s / ((grows + 1.0) * setup.projectile_kg);
+        let lost_m_s = force_n * t_s / ((grows + 1.0) * setup.mass.projectile_kg);
         // The velocity of the plate is a power of the time.
         let damper_power = (setup.damper.exponent + 1.0) * (power - 1.0) + 1.0;
         let damper_j = setup.damper.force(w_m_s) * w_m_s * t_s / damper_power;
-        let plate_j = 0.5 * setup.plate_kg * w_m_s * w_m_s + setup.spring.energy(x_m) + damper_j;
-        let contact_j = setup.projectile_kg * lost_m_s * (v - 0.5 * lost_m_s) - plate_j;
+        let plate_j =
+            0.5 * setup.mass.plate_kg * w_m_s * w_m_s + setup.spring.energy(x_m) + damper_j;
+        let contact_j = setup.mass.projectile_kg * lost_m_s * (v - 0.5 * lost_m_s) - plate_j;
         let state = State {
             q_m: moment.q_m - setup.cos * x_m,
             u_m_s: v - lost_m_s - setup.cos * w_m_s,
@@ -124,7 +126,7 @@ impl Equations<'_> {
         if !setup.starts_steep() || !Rule::InitialLock.applies() || setup.law != ContactLaw::Flow {
             return None;
         }
-        let state = State { u_m_s: setup.velocity_m_s, ..State::default() };
+        let state = State { u_m_s: setup.reference.velocity_m_s, ..State::default() };
         // The contact force of a blunt nose does not start from zero.
         if self.contact_n(&state) > 0.0 {
             return None;
@@ -132,7 +134,7 @@ impl Equations<'_> {
         let rate_n_s = self.rate_n_s(&state).abs();
         let mut held_m = self.mode.held_m;
         let held_n = setup.spring.force(held_m);
-        let by_inertia_m = (held_n / rate_n_s).powi(2) * held_n / (6.0 * setup.plate_kg);
+        let by_inertia_m = (held_n / rate_n_s).powi(2) * held_n / (6.0 * setup.mass.plate_kg);
         let inertia_ratio = by_inertia_m / (QUASI_STATIC_RATIO * held_m);
         if inertia_ratio < 1.0 {
             // The displacement with inertia alone grows as the cube of the force: the ratio scales as x^(3n-1). For n < 1/3 a smaller
@@ -148,7 +150,7 @@ impl Equations<'_> {
     /// Returns the time derivative of the contact force on a plate at rest, N/s.
     pub(super) fn rate_n_s(&self, state: &State) -> f64 {
         let slopes = self.contact_slopes(state.q_m, state.u_m_s);
-        let slows_m_s2 = self.contact_n(state) / self.setup.projectile_kg;
+        let slows_m_s2 = self.contact_n(state) / self.setup.mass.projectile_kg;
         (slopes.0 * state.u_m_s - slopes.1 * slows_m_s2) * self.setup.cos
     }
 
@@ -158,8 +160,8 @@ impl Equations<'_> {
         let spring = &self.setup.spring;
         let held_m = RELOCK_FRACTION * self.setup.relock_displacement_m(state.q_m);
         // The second computation locks where the first does; otherwise its own lock would count as an error of the first.
-        let first_m = match self.setup.stepping {
-            IntegrationMethod::Second(first) => held_m * first / self.setup.tolerance,
+        let first_m = match self.setup.numerics.method {
+            IntegrationMethod::Second(first) => held_m * first / self.setup.numerics.tolerance,
             _ => held_m,
         };
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
@@ -176,10 +178,11 @@ impl Equations<'_> {
 
     /// Returns `true` if the plate starts at rest, or at the zero of its spring, where a law is neither steep nor analytic.
     pub(super) fn starts_at_singularity(&self) -> bool {
-        let ImpactParameters { damper, ref spring, start_m, start_m_s, .. } = *self.setup;
+        let ImpactParameters { damper, ref spring, start, .. } = *self.setup;
         let by_spring = || spring.power().is_some_and(|law| !law.is_smooth_at_zero());
         self.mode.hold == PlateConstraint::Free
-            && (start_m_s == 0.0 && !damper.is_smooth_at_zero() || start_m == 0.0 && by_spring())
+            && (start.w_m_s == 0.0 && !damper.is_smooth_at_zero()
+                || start.x_m == 0.0 && by_spring())
     }
 
     /// Returns the force on a locked plate that its spring has to balance, N.
@@ -208,7 +211,7 @@ impl Equations<'_> {
         let growth = power * (power - 1.0) * rate * rate + power * bend;
         let growth_rate =
             rate * (2.0 * power * (power - 1.0) * (bend - rate * rate) - power * bend);
-        let inertia_m = self.setup.plate_kg * x_m / slope_n_m;
+        let inertia_m = self.setup.mass.plate_kg * x_m / slope_n_m;
         let lag_m = inertia_m * growth;
         let lag_m_s = (2.0 * power - 1.0) * rate * lag_m + inertia_m * growth_rate;
         let damper = self.setup.damper;
@@ -226,7 +229,7 @@ impl Equations<'_> {
 
     /// Returns the second time derivative of the contact force on a plate at rest, by central differences, N/s².
     fn force_second_derivative_n_s2(&self, state: &State) -> f64 {
-        let slows_m_s2 = self.contact_n(state) / self.setup.projectile_kg;
+        let slows_m_s2 = self.contact_n(state) / self.setup.mass.projectile_kg;
         let by_place_s = smaller(self.setup.passage_s(), (state.q_m / state.u_m_s).abs());
         let moment_s = DIFFERENCE * smaller(by_place_s, (state.u_m_s / slows_m_s2).abs());
         let rate_at = |t_s: f64| {
@@ -268,16 +271,16 @@ impl Equations<'_> {
     /// Returns the maximum step size towards a singular zero of the spring or the damper, s; infinite if none is approached, or if the
     /// remainder is negligible.
     pub(super) fn approach_s(&self, state: &State) -> f64 {
-        let ImpactParameters { damper, creep_m_s, velocity_m_s, .. } = *self.setup;
+        let ImpactParameters { damper, creep_m_s, reference, .. } = *self.setup;
         let mut least_s = self.until_zero_s(state).unwrap_or(f64::INFINITY);
         if !damper.is_smooth_at_zero() && state.w_m_s.abs() > creep_m_s {
             let (w_m_s, acceleration) = (state.w_m_s, self.accelerations(state).1);
             let way_s = -w_m_s / acceleration;
             let counts = damper.force(w_m_s).abs() * way_s
-                > NEGLIGIBLE_AT_ZERO * self.moving_kg() * velocity_m_s;
+                > NEGLIGIBLE_AT_ZERO * self.moving_kg() * reference.velocity_m_s;
             // If the forces balance, only rounding errors and the error of the velocity remain.
             let off_n = self.damper_slope_n_s_m(w_m_s)
-                * self.setup.tolerance
+                * self.setup.numerics.tolerance
                 * self.error_scales(state).1[1];
             let off_m_s2 = self.rounding(state).1 + off_n / self.moving_kg();
             if way_s > 0.0 && counts && acceleration.abs() > off_m_s2 {

@@ -9,7 +9,7 @@ use crate::model::impact::free_oscillation::FreeOscillation;
 use crate::model::impact::fused_swing::FusedSwing;
 use crate::model::impact::loads::{COMPRESSION_TENSION_SIGNS, Loads};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
-use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::parameters::{ImpactParameters, Masses};
 use crate::model::impact::results::sample;
 use crate::model::impact::state::State;
 use crate::model::run::{
@@ -108,7 +108,7 @@ impl Recorder {
         self.add_work(equations, path);
         self.oscillation.step(equations, path);
         self.note_displacements(equations, path);
-        if equations.setup.turning_kg > 0.0 {
+        if equations.setup.mass.turning_kg > 0.0 {
             let known_m_s = self.fastest_m_s;
             let greatest_m_s = path.greatest(known_m_s, |state| state.w_m_s.abs());
             self.fastest_m_s = larger(greatest_m_s, known_m_s);
@@ -245,7 +245,7 @@ impl Recorder {
     ) {
         let loads = &mut self.loads;
         // The mount does not carry the force that accelerates the geared inertia.
-        let part = 1.0 - equations.setup.turning_kg / equations.moving_kg();
+        let part = 1.0 - equations.setup.mass.turning_kg / equations.moving_kg();
         loads.mount_n = larger(part * larger(most_n[0], most_n[1]), loads.mount_n);
         let Some(strength_n) = equations.joint_n(state) else { return };
         if strength_n <= 0.0 {
@@ -258,7 +258,8 @@ impl Recorder {
             let ratio = load_n / strength_n;
             let known = &mut self.loads.ratios.get_or_insert_default()[direction];
             *known = larger(ratio, *known);
-            let is_new = !equations.setup.plastic && self.loads.exceeded_s[direction].is_none();
+            let is_new =
+                !equations.setup.interface.is_plastic && self.loads.exceeded_s[direction].is_none();
             if is_new
                 && ratio > holds
                 && let Some(t_s) = first_s(direction)
@@ -386,7 +387,7 @@ impl Recorder {
                 self.events.retain(|it| it.kind != EventKind::GreatestDisplacement);
                 self.note(to.t_s, EventKind::GreatestDisplacement);
             }
-            modes::Event::StopReached if from.w_m_s > NOTED_HIT * setup.velocity_m_s => {
+            modes::Event::StopReached if from.w_m_s > NOTED_HIT * setup.reference.velocity_m_s => {
                 self.note(to.t_s, EventKind::StopHit);
             }
             _ => {}
@@ -401,7 +402,8 @@ impl Recorder {
             self.note(to.t_s, EventKind::PullOut);
         } else if new.contact == Contact::FreeFlight && old.contact != Contact::FreeFlight {
             // A velocity below the tolerance, relative to the impact velocity, is zero.
-            let is_known = parting.velocity_m_s.abs() > setup.tolerance * setup.velocity_m_s;
+            let is_known = parting.velocity_m_s.abs()
+                > setup.numerics.tolerance * setup.reference.velocity_m_s;
             let velocity_m_s = if is_known { parting.velocity_m_s } else { 0.0 };
             self.separation = Some(Parting { velocity_m_s, ..parting });
             self.note(to.t_s, EventKind::Separation);
@@ -449,7 +451,7 @@ impl Recorder {
 impl Equations<'_> {
     /// Returns the limit loads of the fused interface, relative to that in compression.
     pub(super) fn limit_load_ratios(&self) -> [f64; 2] {
-        [1.0, self.setup.grip]
+        [1.0, self.setup.interface.grip]
     }
 
     /// Returns the limit load of the fused interface, N; `None` if the bodies are not fused.
@@ -460,7 +462,7 @@ impl Equations<'_> {
 
     /// Returns the kinetic energy of both bodies, J.
     pub(super) fn kinetic_j(&self, state: &State) -> f64 {
-        let ImpactParameters { projectile_kg, plate_kg, .. } = *self.setup;
+        let Masses { projectile_kg, plate_kg, .. } = self.setup.mass;
         let (v, w) = (self.setup.projectile_m_s(state), state.w_m_s);
         0.5 * (projectile_kg * v * v + plate_kg * w * w)
     }
@@ -477,7 +479,7 @@ fn peak_n(
     let is_elastic = equations.is_undamped() && equations.mode.spring.power().is_some();
     if is_elastic
         && equations.mode.hold == PlateConstraint::Free
-        && equations.setup.turning_kg == 0.0
+        && equations.setup.mass.turning_kg == 0.0
     {
         let extreme = |direction: f64| {
             let beyond = |most: &&State, state: &State| direction * (state.x_m - most.x_m) > 0.0;

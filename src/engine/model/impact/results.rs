@@ -98,7 +98,8 @@ impl ImpactRun<'_> {
         let most_n = equations.mechanism_bounds_n(bounds);
         let known_n = record.loads.known_n(&equations, state);
         let grows = (0..2).any(|way| most_n[way] > known_n[way] * (1.0 + GROWTH));
-        let exceeds = is_joined && !setup.plastic && bounds[0] > equations.strength_n(state);
+        let exceeds =
+            is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
             || setup.has_stop()
             || setup.absorber.is_some()
@@ -231,13 +232,13 @@ impl ImpactRun<'_> {
         // An absorber releases less energy than was spent on crushing it.
         let crushed = setup.crushed_at(x_m, self.mode.crushed_m);
         let spring_j = crushed.map_or(stored_j, |(spring, _)| spring.energy(x_m));
-        let [initial_kinetic_j, initial_plate_j] = setup.initial_kinetic_j;
+        let [initial_kinetic_j, initial_plate_j] = setup.start.kinetic_j;
         EnergyLedger {
             initial_kinetic_j,
             initial_plate_j,
-            initial_spring_j: setup.spring.energy(setup.start_m),
-            projectile_j: kinetic(setup.projectile_kg, setup.projectile_m_s(state)),
-            plate_j: kinetic(setup.plate_kg - added_kg, state.w_m_s),
+            initial_spring_j: setup.spring.energy(setup.start.x_m),
+            projectile_j: kinetic(setup.mass.projectile_kg, setup.projectile_m_s(state)),
+            plate_j: kinetic(setup.mass.plate_kg - added_kg, state.w_m_s),
             inertia_j: kinetic(added_kg, state.w_m_s),
             spring_j,
             crush_j: self.mode.crushed_j + stored_j - spring_j,
@@ -250,7 +251,7 @@ impl ImpactRun<'_> {
         let inertia = Inertia::from_scene(self.scene);
         let ends = max_displacement_m
             .filter(|_| !self.setup.is_rigid_mount)
-            .map(|far_m| [self.setup.start_m, far_m]);
+            .map(|far_m| [self.setup.start.x_m, far_m]);
         let stress_at = |x_m: f64| load::stress_ratio(self.scene, x_m);
         let stress = ends.and_then(|[from, to]| Some(larger(stress_at(from)?, stress_at(to)?)));
         let positive = |value: f64| Some(value).filter(|value| *value > 0.0);
@@ -303,7 +304,7 @@ impl ImpactRun<'_> {
         let [pushed_s, pulled_s] = loads.exceeded_s;
         let push = pushed_s.zip(loads.ratios);
         let pull = run.interface.tension_ratio.filter(|ratio| *ratio > 1.0);
-        let resumed_s = self.record.resumed_s.filter(|_| setup.plastic);
+        let resumed_s = self.record.resumed_s.filter(|_| setup.interface.is_plastic);
         let residual = run.ledger.residual();
         let drifts = residual.abs() >= DRIFT || residual.is_nan();
         let happened = [
@@ -314,12 +315,13 @@ impl ImpactRun<'_> {
                 (None, None) => Some(RunWarning::InterfaceRebound { ratio }),
                 (None, Some(_)) => None,
             }),
-            (loads.no_strength && !setup.plastic).then_some(RunWarning::InterfaceWithoutStrength),
+            (loads.no_strength && !setup.interface.is_plastic)
+                .then_some(RunWarning::InterfaceWithoutStrength),
             resumed_s.map(|t_s| RunWarning::PenetrationResumed { t_s }),
             drifts.then_some(RunWarning::EnergyDrift { residual }),
         ];
         let far_m = run.max_plate_displacement_m.unwrap_or(self.record.farthest_m);
-        let at_m = if far_m.abs() < setup.start_m.abs() { setup.start_m } else { far_m };
+        let at_m = if far_m.abs() < setup.start.x_m.abs() { setup.start.x_m } else { far_m };
         let limits =
             load::exceeded(scene, at_m).map(RunWarning::Limit).filter(|_| !setup.is_rigid_mount);
         // Effects that the contact model does not include.
@@ -351,8 +353,8 @@ impl ImpactRun<'_> {
     /// separate.
     fn tension(&self) -> Option<f64> {
         let loads = &self.record.loads;
-        let [_, pull] = loads.ratios.filter(|_| !self.setup.plastic)?;
-        Some(if pull > 0.0 { pull / self.setup.grip } else { 0.0 })
+        let [_, pull] = loads.ratios.filter(|_| !self.setup.interface.is_plastic)?;
+        Some(if pull > 0.0 { pull / self.setup.interface.grip } else { 0.0 })
     }
 
     fn omitted(&self) -> Vec<&'static str> {
@@ -369,7 +371,7 @@ impl ImpactRun<'_> {
             (setup.geometry.nose.sin == 0.0, "obliquity"),
             (!self.flows() || self.deepest_m() <= setup.geometry.bend_m, "exit face"),
             (record.was_held, "plate motion within the contact (bounded below rounding)"),
-            (!setup.plastic, "interface law"),
+            (!setup.interface.is_plastic, "interface law"),
             (setup.drag_kg_m3 == 0.0, "drag"),
             (
                 self.is_before_max_displacement(),
@@ -395,7 +397,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let final_m = course.final_m(outcome, hole_m, at_most_m);
     let moved = course.record.series.iter().map(|row| row.plate_displacement_m);
     let max_plate_displacement_m = course.max_displacement_m().map(|peak_m| raised(peak_m, moved));
-    if course.setup.turning_kg == 0.0 {
+    if course.setup.mass.turning_kg == 0.0 {
         let forces = course.record.series.iter().map(|row| row.mount_force_n().abs());
         course.record.loads.mount_n = raised(course.record.loads.mount_n, forces);
     }
@@ -482,7 +484,7 @@ pub(super) fn sample(equations: &Equations<'_>, state: &State) -> Sample {
             ContactLaw::AtOnce => f64::NAN,
             _ => setup.geometry.depth_m(state.q_m),
         },
-        projectile_displacement_m: state.q_m + (x_m - setup.start_m) * setup.cos,
+        projectile_displacement_m: state.q_m + (x_m - setup.start.x_m) * setup.cos,
         projectile_velocity_m_s: setup.projectile_m_s(state),
         plate_displacement_m: x_m,
         plate_velocity_m_s: w_m_s,

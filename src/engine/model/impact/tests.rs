@@ -41,7 +41,7 @@ pub(super) fn look<T>(
         contact,
         deepest_m: 5e-3,
         piece: setup.geometry.piece(q_m),
-        is_pressed: x_m > setup.stop_at_m,
+        is_pressed: x_m > setup.stop.position_m,
         w_side: 1f64.copysign(w_m_s),
         ..first(&setup).0
     };

@@ -30,18 +30,18 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
         origin_m: 0.0,
         spring: setup.spring.clone(),
         elastic: setup.with_stop(&setup.spring),
-        stretch: setup.spring.stretch(setup.start_m),
+        stretch: setup.spring.stretch(setup.start.x_m),
         crushed_m: 0.0,
         crushed_j: 0.0,
-        w_side: if setup.start_m_s < 0.0 { -1.0 } else { 1.0 },
+        w_side: if setup.start.w_m_s < 0.0 { -1.0 } else { 1.0 },
     };
     let mut state = State {
-        u_m_s: setup.closing_m_s * setup.kept,
-        x_m: setup.start_m,
-        w_m_s: setup.start_m_s,
+        u_m_s: setup.start.closing_m_s * setup.kept,
+        x_m: setup.start.x_m,
+        w_m_s: setup.start.w_m_s,
         ..State::default()
     };
-    if setup.start_m_s != 0.0 {
+    if setup.start.w_m_s != 0.0 {
         update_direction(setup, &mut mode, &state);
     }
     if setup.law == ContactLaw::AtOnce {
@@ -83,7 +83,7 @@ pub(super) fn after(
         Event::StopReached => reach_stop(setup, &mut next, state),
         Event::StopSlack => next.is_pressed = false,
         Event::StopRelease => {
-            state.x_m = setup.stop_at_m - mode.origin_m;
+            state.x_m = setup.stop.position_m - mode.origin_m;
             release(setup, &mut next, state);
         }
         Event::ZeroPassed => {
@@ -116,7 +116,7 @@ pub(super) fn after(
     setup.update_weight(&mut next, mode.contact);
     if next.contact != mode.contact {
         next.stuck_m3 = None;
-        let is_stuck = setup.plastic && next.contact == Contact::Fused;
+        let is_stuck = setup.interface.is_plastic && next.contact == Contact::Fused;
         next.stuck_m3 = is_stuck.then(|| (Equations { setup, mode: &next }).stuck_m3(state));
     }
     next
@@ -195,10 +195,10 @@ fn unload(setup: &ImpactParameters, mode: &mut HybridMode, state: &State) {
 /// Perfectly inelastic impact: both bodies get the common velocity, with conserved momentum.
 fn merge_bodies(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State) {
     let v = setup.projectile_m_s(state);
-    let momentum = setup.projectile_kg * v * setup.cos + setup.plate_kg * state.w_m_s;
+    let momentum = setup.mass.projectile_kg * v * setup.cos + setup.mass.plate_kg * state.w_m_s;
     state.u_m_s = 0.0;
     if mode.hold == PlateConstraint::Free {
-        state.w_m_s = momentum / setup.joined_kg;
+        state.w_m_s = momentum / setup.mass.joined_kg;
     }
     if state.w_m_s != 0.0 {
         mode.w_side = sign(state.w_m_s);
@@ -233,7 +233,7 @@ fn stick_or_slip(setup: &ImpactParameters, mode: &mut HybridMode, state: &State)
         }
         _ => Contact::Fused,
     };
-    if mode.contact != Contact::Fused || !setup.plastic {
+    if mode.contact != Contact::Fused || !setup.interface.is_plastic {
         return;
     }
     let equations = Equations { setup, mode };
@@ -249,10 +249,10 @@ fn stick_or_slip(setup: &ImpactParameters, mode: &mut HybridMode, state: &State)
 /// Applies the contact of the plate with its rigid or elastic stop.
 fn reach_stop(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State) {
     // A plate that moves towards the stop is at the stop; otherwise the stop reaches the plate.
-    let is_beyond = setup.restitution.is_none() && state.w_m_s <= 0.0;
+    let is_beyond = setup.stop.restitution.is_none() && state.w_m_s <= 0.0;
     let beyond_m = Equations { setup, mode }.beyond_stop_m(state.x_m);
-    (mode.origin_m, state.x_m) = (setup.stop_at_m, if is_beyond { beyond_m } else { 0.0 });
-    let Some(restitution) = setup.restitution else {
+    (mode.origin_m, state.x_m) = (setup.stop.position_m, if is_beyond { beyond_m } else { 0.0 });
+    let Some(restitution) = setup.stop.restitution else {
         mode.is_pressed = true;
         // The damper of the stop has a force at once.
         if mode.contact == Contact::Fused {
@@ -263,14 +263,14 @@ fn reach_stop(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State
     let joined = mode.contact == Contact::Fused;
     let before = state.w_m_s;
     mode.w_side = -1.0;
-    let blow_j = 0.5 * setup.joined_kg * before * before;
+    let blow_j = 0.5 * setup.mass.joined_kg * before * before;
     let hole_j = setup.geometry.area_m2(mode.deepest_m) * setup.strength_pa * mode.deepest_m;
     let is_soft = joined
-        && setup.plastic
+        && setup.interface.is_plastic
         && blow_j < NEGLIGIBLE_IMPACT_ENERGY * hole_j
         && Rule::SoftBlow.applies();
     state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, restitution, state) };
-    if !(joined && (is_soft || !setup.plastic)) {
+    if !(joined && (is_soft || !setup.interface.is_plastic)) {
         state.u_m_s += (before - state.w_m_s) * setup.cos;
         if state.u_m_s > 0.0 && matches!(mode.contact, Contact::Fused | Contact::Withdrawing) {
             start_loading(setup, mode, state);
@@ -333,7 +333,8 @@ pub(super) fn apply_remaining_slip(
     let from_m = state.q_m;
     state.q_m += travel_m;
     let swept_m3 = setup.geometry.swept_m3(state.q_m) - setup.geometry.swept_m3(from_m);
-    let left = state.w_m_s * state.w_m_s - 2.0 * setup.strength_pa * swept_m3 / setup.joined_kg;
+    let left =
+        state.w_m_s * state.w_m_s - 2.0 * setup.strength_pa * swept_m3 / setup.mass.joined_kg;
     state.w_m_s = larger(left, 0.0).sqrt().copysign(state.w_m_s);
     (mode.deepest_m, mode.stuck_m3) = (state.q_m, None);
 }

@@ -47,7 +47,7 @@ impl Equations<'_> {
     pub(super) fn carried_weight_n(&self) -> f64 {
         let setup = self.setup;
         if self.mode.contact == Contact::Fused {
-            setup.weight_n * (setup.plate_kg / setup.joined_kg)
+            setup.weight_n * (setup.mass.plate_kg / setup.mass.joined_kg)
         } else {
             0.0
         }
@@ -74,8 +74,8 @@ impl Equations<'_> {
         match self.mode.contact {
             _ if setup.weight_n == 0.0 => (slip, plate),
             Contact::Fused if self.plate_rests() => (slip, plate),
-            Contact::Fused => (slip, plate + self.joined_weight_n() / setup.joined_kg),
-            _ => (slip + self.weight_n() / setup.projectile_kg, plate),
+            Contact::Fused => (slip, plate + self.joined_weight_n() / setup.mass.joined_kg),
+            _ => (slip + self.weight_n() / setup.mass.projectile_kg, plate),
         }
     }
 

@@ -26,7 +26,7 @@ impl Equations<'_> {
             return [0.0; 2];
         }
         let is_steady = self.setup.law == ContactLaw::Flow || !self.is_touching();
-        let fraction = match self.setup.stepping {
+        let fraction = match self.setup.numerics.method {
             IntegrationMethod::Collocation(_) if is_steady => 1.0,
             IntegrationMethod::Second(_) if is_steady => SECOND_FACTOR,
             _ => return [NEGLIGIBLE_AT_ZERO; 2],
@@ -160,8 +160,8 @@ mod tests {
                 let it = Equations { setup: it.setup, mode: &mode };
                 it.passed_zero(at).map(|to| {
                     let momentum = |it: &Equations<'_>, at: &State| {
-                        it.setup.projectile_kg * it.setup.projectile_m_s(at)
-                            + it.setup.plate_kg * at.w_m_s
+                        it.setup.mass.projectile_kg * it.setup.projectile_m_s(at)
+                            + it.setup.mass.plate_kg * at.w_m_s
                     };
                     (momentum(&it, &to) / momentum(&it, at) - 1.0, to.u_m_s / at.u_m_s - 1.0)
                 })
