@@ -409,6 +409,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let mut events = std::mem::take(&mut course.record.events);
     let record = &course.record;
     let separation = record.separation.filter(|_| outcome == Outcome::Separated);
+    let parting = record.exit.or(separation);
     // A reversal before the maximum displacement is not marked.
     events.retain(|event| {
         event.kind != EventKind::GreatestDisplacement || event.t_s >= record.farthest_s
@@ -430,10 +431,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
             exit_time_s: record.exit.map(|exit| exit.t_s),
             residual_velocity_m_s: record.exit.map(|exit| exit.velocity_m_s),
             separation,
-            plate_velocity_m_s: record
-                .exit
-                .or(separation)
-                .map(|parting| parting.plate_velocity_m_s),
+            plate_velocity_m_s: parting.map(|parting| parting.plate_velocity_m_s),
         },
         interface: InterfaceLoad {
             demand_ratio: record.loads.ratios.map(|[push, _]| push),
