@@ -56,6 +56,8 @@ const MUST_NOT_KNOW: &[(&str, &[&str])] = &[
 
 const LINES_MAX: usize = 500;
 
+const FIELDS_MAX: usize = 20;
+
 struct Source {
     /// Path below `src/` or the folder of its package, with `/`.
     name: String,
@@ -226,6 +228,71 @@ fn every_file_has_a_head_and_a_bounded_length() {
             }
         }
     }
+    assert_none(&complaints);
+}
+
+/// Names and numbers of fields of the structs with named fields in a text formatted by rustfmt.
+fn structs(text: &str) -> Vec<(&str, usize)> {
+    let mut found: Vec<(&str, usize)> = Vec::new();
+    // Indentation of the struct that is open.
+    let mut open: Option<usize> = None;
+    for line in text.lines() {
+        let indent = line.len() - line.trim_start().len();
+        let item = without_visibility(line.trim_start());
+        match open {
+            None => {
+                let Some(after) = item.strip_prefix("struct ") else { continue };
+                let end = after.find(|c: char| !(c.is_alphanumeric() || c == '_'));
+                // A unit or tuple struct ends in the line; a `where` clause may stand before the brace.
+                if !line.trim_end().ends_with([';', '}']) {
+                    open = Some(indent);
+                    found.push((&after[..end.unwrap_or(after.len())], 0));
+                }
+            }
+            Some(of) if indent == of && item.starts_with(['}', ')']) => open = None,
+            Some(of) if indent == of + 4 => {
+                let name = item.split(':').next().unwrap_or_default();
+                let is_name = name.chars().all(|c| c.is_alphanumeric() || c == '_');
+                if let Some(last) = found.last_mut().filter(|_| is_name && item.contains(": ")) {
+                    last.1 += 1;
+                }
+            }
+            Some(_) => {}
+        }
+    }
+    found
+}
+
+fn without_visibility(item: &str) -> &str {
+    let Some(after) = item.strip_prefix("pub") else { return item };
+    let after = if after.starts_with('(') { after.split_once(')').unwrap().1 } else { after };
+    after.trim_start()
+}
+
+#[test]
+fn the_fields_of_a_struct_are_counted() {
+    let text = "struct Unit;\npub(super) struct Two<'a> {\n    /// A length: m.\n    pub(crate) a_m: f64,\n    \
+                pub b: Vec<\n        (&'a str, u8),\n    >,\n}\nstruct One(u8);\nmod inner {\n    struct Own {\n        \
+                #[serde(default)]\n        c: u8,\n    }\n}\nfn f(x: u8) {\n    let y: u8 = x;\n}\n";
+    assert_eq!(structs(text), [("Two", 2), ("Own", 1)]);
+}
+
+#[test]
+fn no_struct_has_more_fields_than_a_reader_can_hold() {
+    let mut complaints = Vec::new();
+    let mut counted = 0;
+    for folder in ["src", "tests", "benches"] {
+        for path in files_below(&in_repository(folder), "rs") {
+            let text = fs::read_to_string(&path).unwrap();
+            for (name, fields) in structs(&text) {
+                counted += 1;
+                if fields > FIELDS_MAX {
+                    complaints.push(format!("{}: {name} has {fields} fields", path.display()));
+                }
+            }
+        }
+    }
+    assert!(counted > 100, "{counted}");
     assert_none(&complaints);
 }
 

@@ -49,6 +49,22 @@ struct Now {
     beyond: bool,
 }
 
+/// Projectile and plate.
+struct Bodies {
+    strength_pa: f64,
+    projectile_kg: f64,
+    plate_kg: f64,
+    plug: Option<Plug>,
+    /// The plug moves with the projectile.
+    is_sheared: bool,
+    /// Cosine of the obliquity.
+    cos: f64,
+    /// Thickness of the plate along the axis of the projectile, m.
+    thickness_m: f64,
+    /// Travel at which the nose is clear of the rear face.
+    exit_m: f64,
+}
+
 /// A shot on its way.
 pub struct Shot<'a> {
     scene: &'a Scene,
@@ -57,16 +73,7 @@ pub struct Shot<'a> {
     law: Law<'a>,
     /// Displacements at which a step is cut, m.
     corners_m: Vec<f64>,
-    strength_pa: f64,
-    projectile_kg: f64,
-    plate_kg: f64,
-    plug: Option<Plug>,
-    /// The plug moves with the projectile.
-    is_sheared: bool,
-    cos: f64,
-    thickness_m: f64,
-    /// Travel at which the nose is clear of the rear face.
-    exit_m: f64,
+    bodies: Bodies,
     step_s: f64,
     /// Time, s.
     pub t_s: f64,
@@ -102,14 +109,16 @@ impl<'a> Shot<'a> {
             contact: Contact::new(scene),
             corners_m: law.corners_m(),
             law,
-            strength_pa: strength_pa(scene),
-            projectile_kg: scene.projectile.mass_kg,
-            plate_kg: moving_kg(scene),
-            plug: Plug::new(scene),
-            is_sheared: false,
-            cos: scene.cos_obliquity(),
-            thickness_m: scene.effective_thickness_m(),
-            exit_m: Plug::new(scene).map_or_else(|| exit_m(scene), |plug| plug.to_m),
+            bodies: Bodies {
+                strength_pa: strength_pa(scene),
+                projectile_kg: scene.projectile.mass_kg,
+                plate_kg: moving_kg(scene),
+                plug: Plug::new(scene),
+                is_sheared: false,
+                cos: scene.cos_obliquity(),
+                thickness_m: scene.effective_thickness_m(),
+                exit_m: Plug::new(scene).map_or_else(|| exit_m(scene), |plug| plug.to_m),
+            },
             step_s,
             t_s: 0.0,
             state: [0.0, closing, start_m, w],
@@ -124,7 +133,7 @@ impl<'a> Shot<'a> {
         if scene.contact.model == ContactModel::InitialVelocity {
             shot.join();
         }
-        if shot.plug.is_some_and(|plug| plug.from_m <= 0.0) {
+        if shot.bodies.plug.is_some_and(|plug| plug.from_m <= 0.0) {
             shot.pick_up();
         }
         shot
@@ -132,24 +141,25 @@ impl<'a> Shot<'a> {
 
     /// The plug joins the projectile, with the momentum of both; the rest of the plate keeps its velocity.
     fn pick_up(&mut self) {
-        let Some(plug) = self.plug else { return };
-        self.state[1] *= self.projectile_kg / (self.projectile_kg + plug.mass_kg);
-        self.projectile_kg += plug.mass_kg;
+        let Some(plug) = self.bodies.plug else { return };
+        self.state[1] *= self.bodies.projectile_kg / (self.bodies.projectile_kg + plug.mass_kg);
+        self.bodies.projectile_kg += plug.mass_kg;
         if self.scene.is_sprung() {
-            self.plate_kg -= plug.mass_kg;
+            self.bodies.plate_kg -= plug.mass_kg;
         }
-        self.is_sheared = true;
+        self.bodies.is_sheared = true;
     }
 
     /// Travel at which a plug is still to be picked up.
     fn plug_at_m(&self) -> Option<f64> {
-        self.plug.filter(|_| !self.is_sheared).map(|plug| plug.from_m)
+        self.bodies.plug.filter(|_| !self.bodies.is_sheared).map(|plug| plug.from_m)
     }
 
     /// A perfectly inelastic collision: one body from now on, with the momentum along the plate's normal that both had.
     fn join(&mut self) {
         let [_, u, _, w] = self.state;
-        let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos);
+        let (m_p, m_2, cos) =
+            (self.scene.projectile.mass_kg, self.bodies.plate_kg, self.bodies.cos);
         let momentum = m_p * (u + w * cos) * cos + m_2 * w;
         let still = !self.scene.is_sprung();
         self.state[1] = 0.0;
@@ -180,7 +190,7 @@ impl<'a> Shot<'a> {
 
     /// The projectile's velocity in a state, m/s.
     pub fn velocity_m_s(&self, [_, u, _, w]: State) -> f64 {
-        u + w * self.cos
+        u + w * self.bodies.cos
     }
 
     /// Go on to a time; false where that takes too many steps.
@@ -247,7 +257,9 @@ impl<'a> Shot<'a> {
         let [q, u, x, w] = self.state;
         match now.interface {
             Interface::Deepens if self.plug_at_m().is_some_and(|at| q >= at) => self.pick_up(),
-            Interface::Deepens if q >= self.exit_m => self.exit = Some((self.t_s, self.state)),
+            Interface::Deepens if q >= self.bodies.exit_m => {
+                self.exit = Some((self.t_s, self.state));
+            }
             Interface::Deepens | Interface::Closes if u <= 0.0 => self.meet(),
             Interface::PullsOut if u >= 0.0 => self.meet(),
             Interface::Pulse | Interface::Loads if u <= 0.0 => {
@@ -262,7 +274,7 @@ impl<'a> Shot<'a> {
             self.state[2] = stop.position_m.expect("a stop has a place");
             self.state[3] = back;
             if !self.fused {
-                self.state[1] += (w - back) * self.cos;
+                self.state[1] += (w - back) * self.bodies.cos;
             }
         }
     }
@@ -281,7 +293,7 @@ impl<'a> Shot<'a> {
         let from = self.state;
         let interface_changes = match now.interface {
             Interface::Deepens => {
-                let end_m = self.plug_at_m().unwrap_or(self.exit_m);
+                let end_m = self.plug_at_m().unwrap_or(self.bodies.exit_m);
                 to[1] <= 0.0 || to[0] >= end_m
             }
             Interface::Closes => to[1] <= 0.0 || to[0] >= self.deepest_m,
@@ -362,7 +374,7 @@ impl<'a> Shot<'a> {
     /// The equations of motion, so long after the start of the step.
     fn rates(&self, after_s: f64, state: State, now: Now) -> State {
         let [_, u, x, w] = state;
-        let (m_p, m_2, cos) = (self.projectile_kg, self.plate_kg, self.cos);
+        let (m_p, m_2, cos) = (self.bodies.projectile_kg, self.bodies.plate_kg, self.bodies.cos);
         let force = self.contact_n(after_s, state, now.interface);
         let back = self.law.force_n(x, self.farthest_m)
             + self.damper_n(w)
@@ -402,9 +414,12 @@ impl<'a> Shot<'a> {
             Interface::Springs => return contact.springs_n(q, u, self.deepest_m),
             _ => {}
         }
-        if let Some(plug) = self.plug.filter(|_| self.is_sheared) {
-            let pushed =
-                if q < plug.from_m { plug.hole_m2 * self.strength_pa } else { plug.shear_n(q) };
+        if let Some(plug) = self.bodies.plug.filter(|_| self.bodies.is_sheared) {
+            let pushed = if q < plug.from_m {
+                plug.hole_m2 * self.bodies.strength_pa
+            } else {
+                plug.shear_n(q)
+            };
             let grip = self.scene.interface.grip;
             return match interface {
                 Interface::Deepens => plug.shear_n(q),
@@ -413,7 +428,7 @@ impl<'a> Shot<'a> {
                 _ => 0.0,
             };
         }
-        let strength = self.strength_pa;
+        let strength = self.bodies.strength_pa;
         let grip = self.scene.interface.grip * strength;
         let pressure = match interface {
             Interface::Deepens => strength + self.scene.drag_kg_m3() * u * u,
@@ -426,7 +441,7 @@ impl<'a> Shot<'a> {
 
     /// How deep the nose is at a travel, m.
     pub fn depth_m(&self, q: f64) -> f64 {
-        let h = self.thickness_m;
+        let h = self.bodies.thickness_m;
         let lag = if self.scene.target_in_effect().dishing {
             2.0 * self.scene.projectile.tip_radius_m
         } else {
@@ -436,7 +451,7 @@ impl<'a> Shot<'a> {
     }
 
     fn area_m2(&self, q: f64) -> f64 {
-        if let Some(plug) = self.plug {
+        if let Some(plug) = self.bodies.plug {
             return if q >= 0.0 { plug.hole_m2 } else { 0.0 };
         }
         if self.scene.projectile.obliquity_deg > 0.0 {
@@ -453,7 +468,7 @@ impl<'a> Shot<'a> {
             }
         };
         let p = self.depth_m(q);
-        nose(p) - nose(p - self.thickness_m)
+        nose(p) - nose(p - self.bodies.thickness_m)
     }
 
     fn damper_n(&self, w: f64) -> f64 {
@@ -488,9 +503,9 @@ impl<'a> Shot<'a> {
         let mut rate = 0.0;
         if position_m.is_some_and(|at| self.state[2] > at - 1e-5) && kind == StopKind::Elastic {
             slope += damping_n_s_m;
-            rate = (stiffness_n_m / self.plate_kg).sqrt();
+            rate = (stiffness_n_m / self.bodies.plate_kg).sqrt();
         }
-        rate + slope / self.plate_kg
+        rate + slope / self.bodies.plate_kg
     }
 }
 
