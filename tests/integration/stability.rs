@@ -392,6 +392,21 @@ fn nothing_is_stepped_over_whatever_the_steps() {
     }
 }
 
+/// Drag alone on a plate that a strong damper fixes: `m v dv/dq = -A c v²` leaves more than zero at every depth, and the projectile gets through
+/// 24 m after some 1e75 s. Rounding hides its velocity from 1e-18 m/s on: of that time no digit is known.
+#[test]
+fn valid_a_target_without_strength_is_passed_whatever_the_steps() {
+    for tolerance in [1e-6, 1e-9, 1e-10, 1e-11] {
+        let mut scene = Scene::clone(&draw::scene(&draw::changes(2_103)));
+        scene.run.tolerance = tolerance;
+        let settings = Settings { estimate: true, ..Settings::BARE };
+        let run =
+            simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+        assert_eq!(run.outcome, Outcome::Perforated, "{tolerance:e}");
+        assert!(run.first_arrest.is_none() && run.error_estimate.unwrap() > 1.0, "{tolerance:e}");
+    }
+}
+
 /// Springs with n < 0.2 whose plates come through x = 0 with speed to spare.
 #[test]
 fn plates_come_through_the_zero_of_a_steep_spring() {

@@ -82,6 +82,17 @@ impl Equations<'_> {
         self.mode.contact == Contact::Penetrating
     }
 
+    /// Returns `true` if a projectile that penetrates can lose its relative velocity here. Strength takes it, and so does a plate that
+    /// accelerates away from the projectile; the drag alone vanishes with the velocity, and takes none of it in finite time.
+    pub(super) fn can_arrest(&self, state: &State) -> bool {
+        if self.setup.law != ContactLaw::Flow || self.setup.strength_pa > 0.0 {
+            return true;
+        }
+        let at_rest = State { u_m_s: 0.0, ..*state };
+        let off_m_s2 = self.setup.cos * self.acceleration_error_m_s2(&at_rest);
+        self.accelerations(&at_rest).0 < -off_m_s2
+    }
+
     /// Returns the derivatives of the contact force by travel and relative velocity.
     pub(super) fn contact_slopes(&self, q_m: f64, u_m_s: f64) -> (f64, f64) {
         match self.setup.law {
@@ -235,7 +246,7 @@ impl Equations<'_> {
         self.contact_n(state) * self.setup.cos + self.joined_weight_n() - spring
     }
 
-    /// Returns the negligible velocity of the plate, m/s.
+    /// Returns the negligible velocity, m/s.
     pub(super) fn unresolved_m_s(&self) -> f64 {
         VELOCITY_RESOLUTION * self.setup.reference.velocity_m_s
     }

@@ -256,6 +256,14 @@ impl Equations<'_> {
         self.creep_slope_n_s_m(w_m_s).unwrap_or_else(|| self.setup.damper.tangent(w_m_s))
     }
 
+    /// Returns the error of the plate's acceleration, m/s²: rounding of the forces, and the damper's force for the error of the velocity.
+    pub(super) fn acceleration_error_m_s2(&self, state: &State) -> f64 {
+        let off_n = self.damper_slope_n_s_m(state.w_m_s)
+            * self.setup.numerics.tolerance
+            * self.error_scales(state).1[1];
+        self.rounding(state).1 + off_n / self.moving_kg()
+    }
+
     /// Returns `true` if the plate is out of contact, in the range of the linearised damper, and no force can accelerate it beyond that
     /// range: its further displacement is negligible.
     pub(super) fn creeps(&self, state: &State) -> bool {
@@ -278,12 +286,9 @@ impl Equations<'_> {
             let way_s = -w_m_s / acceleration;
             let counts = damper.force(w_m_s).abs() * way_s
                 > NEGLIGIBLE_AT_ZERO * self.moving_kg() * reference.velocity_m_s;
-            // If the forces balance, only rounding errors and the error of the velocity remain.
-            let off_n = self.damper_slope_n_s_m(w_m_s)
-                * self.setup.numerics.tolerance
-                * self.error_scales(state).1[1];
-            let off_m_s2 = self.rounding(state).1 + off_n / self.moving_kg();
-            if way_s > 0.0 && counts && acceleration.abs() > off_m_s2 {
+            // If the forces balance, only the error of the acceleration remains.
+            let is_resolved = acceleration.abs() > self.acceleration_error_m_s2(state);
+            if way_s > 0.0 && counts && is_resolved {
                 least_s = smaller(least_s, way_s);
             }
         }

@@ -369,6 +369,8 @@ impl Recorder {
         match event {
             // The force history continues.
             modes::Event::SlipZero if !flows && old.contact == Contact::Withdrawing => {}
+            // Drag alone arrests nothing.
+            modes::Event::SlipZero if to.u_m_s > 0.0 => {}
             modes::Event::SlipZero | modes::Event::HistoryEnd => {
                 self.arrest(after, to, old.hold == PlateConstraint::Spring);
             }
