@@ -42,6 +42,7 @@ mod labelled_enum;
 pub mod library;
 pub mod mechanism;
 pub mod plug;
+mod power_law;
 pub mod reference;
 pub mod run;
 pub mod scene;

@@ -6,7 +6,7 @@
 //! errors. This module computes a step of the contact; [`listing`] computes the run.
 
 use crate::model::contact::Geometry;
-use crate::model::mechanism::PowerLaw;
+use crate::model::power_law::PowerLaw;
 use crate::model::run::{EndReason, Outcome};
 use crate::model::scene::{Listing, Scene};
 

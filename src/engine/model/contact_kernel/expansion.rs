@@ -5,7 +5,7 @@
 
 use crate::model::contact::AreaLaw;
 use crate::model::contact_kernel::Contact;
-use crate::model::mechanism::PowerLaw;
+use crate::model::power_law::PowerLaw;
 use crate::numerics::{larger, smaller};
 
 /// Number of terms of an expansion.

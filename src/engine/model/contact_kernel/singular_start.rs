@@ -7,7 +7,7 @@
 
 use crate::model::contact_kernel::Contact;
 use crate::model::contact_kernel::expansion::{Series, State, TimeGrading};
-use crate::model::mechanism::PowerLaw;
+use crate::model::power_law::PowerLaw;
 use crate::numerics::{larger, smaller};
 
 /// Unit of the first step without grading, relative to the duration of the contact.

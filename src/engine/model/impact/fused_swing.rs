@@ -10,7 +10,7 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, Event, PlateConstraint};
 use crate::model::impact::state::State;
-use crate::model::mechanism::sign;
+use crate::model::power_law::sign;
 use crate::numerics::incomplete_beta::incomplete_beta;
 use crate::numerics::larger;
 use crate::numerics::root::bracketed_root;

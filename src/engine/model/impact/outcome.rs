@@ -10,7 +10,7 @@ use crate::model::impact::modes::{Contact, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
-use crate::model::mechanism::PowerLaw;
+use crate::model::power_law::PowerLaw;
 use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};

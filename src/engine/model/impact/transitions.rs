@@ -10,7 +10,7 @@ use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
-use crate::model::mechanism::sign;
+use crate::model::power_law::sign;
 use crate::numerics::larger;
 
 /// Energy of fused bodies, relative to the work of the hole, below which a stop arrests both: the interface would slip by less than this

@@ -1,7 +1,7 @@
 //! Piecewise analytic force law between knots, with precomputed energies, zeros and extrema.
 
-use crate::model::mechanism::PowerLaw;
 use crate::model::mechanism::piece::Piece;
+use crate::model::power_law::PowerLaw;
 use crate::numerics::larger;
 use crate::numerics::root::bracketed_root;
 

@@ -6,7 +6,7 @@
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::{MIN_EXPONENT, PowerLaw};
+use crate::model::power_law::{MIN_EXPONENT, PowerLaw};
 use crate::model::scene::{OwnMass, Scene, Wire};
 use crate::model::variables::part::{NO_VALUES, parts, placed};
 use crate::model::variables::{Group, Variable, VariableError};

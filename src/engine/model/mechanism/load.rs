@@ -1,6 +1,6 @@
 //! The load of the springs at a displacement: bending stress, yield margin, and whether the law still holds there.
 
-use crate::model::mechanism::sign;
+use crate::model::power_law::sign;
 use crate::model::scene::Scene;
 use crate::numerics::smaller;
 

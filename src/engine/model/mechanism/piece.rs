@@ -3,7 +3,7 @@
 //! A law is one analytic function between two knots. It is also evaluated slightly beyond them: a step can pass an event before the event
 //! is located.
 
-use crate::model::mechanism::PowerLaw;
+use crate::model::power_law::PowerLaw;
 
 /// Analytic force as a function of displacement.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::curve::{self, Curve, SCALE_M};
 use crate::model::mechanism::piece::Piece;
-use crate::model::mechanism::{PowerLaw, sign};
+use crate::model::power_law::{PowerLaw, sign};
 use crate::model::scene;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};

@@ -2,7 +2,7 @@
 
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::kinds::{Spring, SpringKind};
-use crate::model::mechanism::{MIN_EXPONENT, PowerLaw};
+use crate::model::power_law::{MIN_EXPONENT, PowerLaw};
 use crate::model::variables::Variable;
 use crate::model::variables::part::{TABLE_9_2, parts, rows};
 use crate::model::variables::visible::{has_stop, has_stop_of};
