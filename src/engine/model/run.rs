@@ -8,18 +8,23 @@ use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::{Criterion, GRAVITY_M_S2, Projectile, Scene};
 use crate::numerics::larger;
 
-mod check;
+pub(in crate::model) mod check;
 pub mod envelope;
 mod error_estimate;
+mod outcome;
 mod result;
 mod settings;
+mod stack_run;
 mod warning;
 
-pub use crate::model::stack::StackRun;
+pub use check::Warning;
 pub use error_estimate::{ErrorEstimate, EstimateBasis, LeftOut};
+pub use outcome::{AtLeast, EndReason, Outcome};
 pub use result::RunResult;
 pub use settings::{EVERY_ROWS_MAX, Settings, WORK_MAX};
-pub use warning::{NotModelled, RunWarning, Warning};
+pub use stack_run::StackRun;
+pub(in crate::model) use stack_run::plate_name;
+pub use warning::{NotModelled, RunWarning};
 
 /// Work of a step, a reversal or a contact event besides its evaluations of the equations of motion, as a number of evaluations.
 const STEP_WORK: usize = 60;
@@ -84,43 +89,6 @@ pub struct Run {
     pub omitted: Vec<&'static str>,
     /// Warnings.
     pub warnings: Vec<RunWarning>,
-}
-
-labelled_enum! {
-    /// Outcome of the shot.
-    #[derive(Default)]
-    pub enum Outcome: word {
-        Arrested = "arrested",
-        Perforated = "perforated",
-        /// The projectile left through the entry face and does not come back.
-        Separated = "separated",
-        #[default]
-        Moving = "moving",
-        /// The run perforates, but its law underestimates the limit, and there are no measurements.
-        Unmeasured = "not-measured",
-    }
-
-    /// Reason for the end of a computation.
-    #[derive(Default)]
-    pub enum EndReason: words {
-        #[default]
-        Decided = "outcome decided",
-        Horizon = "horizon reached",
-        /// Without a horizon: the outcome is undecided after many oscillations or contacts.
-        Oscillates = "undecided after many turns and touches",
-        StepBudget = "ended early: the step budget was used up",
-        StepUnderflow = "ended early: steps became too small to move time forward",
-        NonFinite = "ended early: a value stopped being finite",
-        BreaksOff = "ended early: the printed listing breaks off at a negative depth",
-        Cancelled = "cancelled: what was finished is kept",
-    }
-}
-
-impl EndReason {
-    /// Returns `true` if the run is decided, or reached its horizon.
-    pub fn is_complete(self) -> bool {
-        matches!(self, Self::Decided | Self::Horizon | Self::Oscillates)
-    }
 }
 
 /// Depth of the hole that a run leaves.
@@ -325,15 +293,6 @@ impl EnergyLedger {
     pub fn residual(&self) -> f64 {
         (self.final_j() - self.given_j()) / self.initial_j()
     }
-}
-
-/// Lower bounds of the results of an undecided run; `None` for a final or unknown value.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct AtLeast {
-    /// Depth of the hole so far, m.
-    pub penetration_m: Option<f64>,
-    /// Maximum displacement of the plate so far, m.
-    pub plate_displacement_m: Option<f64>,
 }
 
 /// Loads of the mechanism.

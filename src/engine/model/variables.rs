@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::kinds::spring_rows;
-use crate::model::run::Warning;
+use crate::model::run::check::Warning;
 use crate::model::scene::{
     Contact, Interface, Listing, Mechanism, Plate, Projectile, RunSettings, Scene, Stack, Stop,
     Target, damper_rows, second_rows,
@@ -26,7 +26,7 @@ pub(in crate::model) mod visible;
 
 pub use error::VariableError;
 pub use names::{close, did_you_mean, find, nearest};
-pub use rules::{require_hydrodynamic, require_plain, require_single};
+pub use rules::{require_hydrodynamic, require_plain, require_single, validate};
 pub use visible::{
     exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size, sizes_plate,
     used_where,
@@ -388,14 +388,6 @@ pub fn set_by_name(scene: &mut Scene, name: &str, text: &str) -> Result<(), Vari
     let variable = find(name.trim())?;
     let value = variable.parse(scene, text, variable.bare(name.trim()))?;
     variable.set(scene, value)
-}
-
-/// Checks all values and the rules between values, in the order of the table.
-pub fn validate(scene: &Scene) -> Result<(), VariableError> {
-    for variable in VARIABLES.iter() {
-        variable.check(variable.value(scene))?;
-    }
-    rules::check(scene)
 }
 
 /// Returns a scene with changed variables, in the format of `--set`: `k=1e5 n=0.5`.

@@ -1,4 +1,6 @@
-//! The table of the envelope of validity: its rows, the variable at which each is marked, and what each means.
+//! Checks of validity: the variable at which each is marked, and what each means; and the warnings that name them.
+
+use std::fmt;
 
 use crate::model::labelled_enum::labelled_enum;
 
@@ -100,6 +102,99 @@ impl Check {
             Self::Rebound => ("interface",
                "After the run the plate comes back and pulls at the fused interface with more than its strength g A S_y (the grip g \
                 is an assumption): the projectile may come loose and strike again. Unconservative. Cure: interface=plastic."),
+        }
+    }
+}
+
+/// Warning about a result. A short text has the value alone, a long one its meaning, too.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warning {
+    /// Place where the warning holds, if not the scene itself: `at d = 0.5`.
+    pub place: Option<String>,
+    /// Check of validity that fails, with the direction of the error; `None` for a remark.
+    pub breach: Option<(Check, Direction)>,
+    /// Clause with the number.
+    pub value: String,
+    /// Rest of the sentence, from its punctuation mark on; may be empty.
+    pub meaning: String,
+}
+
+impl Warning {
+    /// Creates a warning that is no breach of validity.
+    pub fn remark(value: impl Into<String>, meaning: impl Into<String>) -> Self {
+        Self { place: None, breach: None, value: value.into(), meaning: meaning.into() }
+    }
+
+    /// Adds the place where the warning holds.
+    #[must_use]
+    pub fn at(self, place: impl Into<String>) -> Self {
+        let place = place.into();
+        let place = self.place.map_or_else(|| place.clone(), |own| format!("{place}: {own}"));
+        Self { place: Some(place), ..self }
+    }
+
+    /// Formats place, value and direction, without the meaning.
+    pub fn short(&self) -> String {
+        self.text("", "")
+    }
+
+    fn text(&self, outside: &str, meaning: &str) -> String {
+        let place = self.place.as_ref().map_or_else(String::new, |place| format!("{place}: "));
+        let value = &self.value;
+        let Some((check, direction)) = self.breach else {
+            return format!("{place}{value}{meaning}");
+        };
+        // The name of the check is what explains it.
+        let name = check.label();
+        let lead = if value.starts_with(name) { String::new() } else { format!("{name}: ") };
+        format!("{place}{outside}{lead}{value}{meaning} ({})", direction.word())
+    }
+}
+
+impl fmt::Display for Warning {
+    /// Formats the whole warning.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text("outside validity: ", &self.meaning))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_short_text_has_place_number_and_direction() {
+        let breach = |check, direction, value: &str, meaning: &str| Warning {
+            breach: Some((check, direction)),
+            ..Warning::remark(value, meaning)
+        };
+        let spring = breach(
+            Check::Spring,
+            Direction::Unconservative,
+            "spring end moves at 36.8 m/s",
+            ": a coil surges",
+        );
+        let slow =
+            breach(Check::Velocity, Direction::Unknown, "v_i = 20 m/s is below the 50 m/s", "");
+        let plate = Warning::remark("plate bends", ": the peak contact force exceeds 3 kN");
+        for (warning, short, long) in [
+            (
+                spring.at("at k = 7.5e6"),
+                "at k = 7.5e6: spring end moves at 36.8 m/s (unconservative)",
+                "at k = 7.5e6: outside validity: spring end moves at 36.8 m/s: a coil surges (unconservative)",
+            ),
+            (
+                slow,
+                "velocity: v_i = 20 m/s is below the 50 m/s (direction unknown)",
+                "outside validity: velocity: v_i = 20 m/s is below the 50 m/s (direction unknown)",
+            ),
+            (
+                plate.at("element 2").at("at h = 5"),
+                "at h = 5: element 2: plate bends",
+                "at h = 5: element 2: plate bends: the peak contact force exceeds 3 kN",
+            ),
+        ] {
+            assert_eq!((warning.short(), warning.to_string()), (short.to_owned(), long.to_owned()));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Error estimates of a run.
 
-use crate::model::run::Outcome;
+use crate::model::run::outcome::Outcome;
 
 /// Relative error estimates of the results of a run.
 #[derive(Clone, Debug, PartialEq, Default)]

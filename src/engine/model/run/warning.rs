@@ -1,63 +1,11 @@
-//! Warnings: what a run records, and what the reader of a result is told.
+//! Warnings that a run records.
 
 use std::fmt;
 
 use crate::model::mechanism::load::Limit;
-use crate::model::run::check::{Check, Direction};
-use crate::model::run::{AtLeast, EndReason, Outcome};
+use crate::model::run::check::Warning;
+use crate::model::run::outcome::{AtLeast, EndReason, Outcome};
 use crate::model::units::{engineering, significant};
-
-/// Warning about a result. A short text has the value alone, a long one its meaning, too.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Warning {
-    /// Place where the warning holds, if not the scene itself: `at d = 0.5`.
-    pub place: Option<String>,
-    /// Check of validity that fails, with the direction of the error; `None` for a remark.
-    pub breach: Option<(Check, Direction)>,
-    /// Clause with the number.
-    pub value: String,
-    /// Rest of the sentence, from its punctuation mark on; may be empty.
-    pub meaning: String,
-}
-
-impl Warning {
-    /// Creates a warning that is no breach of validity.
-    pub fn remark(value: impl Into<String>, meaning: impl Into<String>) -> Self {
-        Self { place: None, breach: None, value: value.into(), meaning: meaning.into() }
-    }
-
-    /// Adds the place where the warning holds.
-    #[must_use]
-    pub fn at(self, place: impl Into<String>) -> Self {
-        let place = place.into();
-        let place = self.place.map_or_else(|| place.clone(), |own| format!("{place}: {own}"));
-        Self { place: Some(place), ..self }
-    }
-
-    /// Formats place, value and direction, without the meaning.
-    pub fn short(&self) -> String {
-        self.text("", "")
-    }
-
-    fn text(&self, outside: &str, meaning: &str) -> String {
-        let place = self.place.as_ref().map_or_else(String::new, |place| format!("{place}: "));
-        let value = &self.value;
-        let Some((check, direction)) = self.breach else {
-            return format!("{place}{value}{meaning}");
-        };
-        // The name of the check is what explains it.
-        let name = check.label();
-        let lead = if value.starts_with(name) { String::new() } else { format!("{name}: ") };
-        format!("{place}{outside}{lead}{value}{meaning} ({})", direction.word())
-    }
-}
-
-impl fmt::Display for Warning {
-    /// Formats the whole warning.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text("outside validity: ", &self.meaning))
-    }
-}
 
 /// Warning that a run records.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -275,46 +223,5 @@ impl From<&RunWarning> for Warning {
 impl fmt::Display for RunWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Warning::from(self).fmt(f)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_short_text_has_place_number_and_direction() {
-        let breach = |check, direction, value: &str, meaning: &str| Warning {
-            breach: Some((check, direction)),
-            ..Warning::remark(value, meaning)
-        };
-        let spring = breach(
-            Check::Spring,
-            Direction::Unconservative,
-            "spring end moves at 36.8 m/s",
-            ": a coil surges",
-        );
-        let slow =
-            breach(Check::Velocity, Direction::Unknown, "v_i = 20 m/s is below the 50 m/s", "");
-        let plate = Warning::remark("plate bends", ": the peak contact force exceeds 3 kN");
-        for (warning, short, long) in [
-            (
-                spring.at("at k = 7.5e6"),
-                "at k = 7.5e6: spring end moves at 36.8 m/s (unconservative)",
-                "at k = 7.5e6: outside validity: spring end moves at 36.8 m/s: a coil surges (unconservative)",
-            ),
-            (
-                slow,
-                "velocity: v_i = 20 m/s is below the 50 m/s (direction unknown)",
-                "outside validity: velocity: v_i = 20 m/s is below the 50 m/s (direction unknown)",
-            ),
-            (
-                plate.at("element 2").at("at h = 5"),
-                "at h = 5: element 2: plate bends",
-                "at h = 5: element 2: plate bends: the peak contact force exceeds 3 kN",
-            ),
-        ] {
-            assert_eq!((warning.short(), warning.to_string()), (short.to_owned(), long.to_owned()));
-        }
     }
 }

@@ -1,8 +1,9 @@
 //! Rules between the values of a scene, and requirements of studies.
 
-use super::VariableError;
 use super::visible::resists;
+use super::{VARIABLES, VariableError};
 use crate::model::plug::{Metal, Plug};
+use crate::model::run::plate_name;
 use crate::model::scene::{
     Closure, Combination, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target,
 };
@@ -18,8 +19,16 @@ fn require(
     if holds { Ok(()) } else { Err(VariableError::together(keys, otherwise())) }
 }
 
+/// Checks all values and the rules between values, in the order of the table.
+pub fn validate(scene: &Scene) -> Result<(), VariableError> {
+    for variable in VARIABLES.iter() {
+        variable.check(variable.value(scene))?;
+    }
+    check_together(scene)
+}
+
 /// Checks all rules between values, in the order in which they are reported.
-pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
+fn check_together(scene: &Scene) -> Result<(), VariableError> {
     let Scene { projectile, plate, mechanism, contact, .. } = scene;
     // `-d` would be -0 without cocking.
     let start = 0.0 - plate.cocking_m;
@@ -204,7 +213,7 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
         })?;
         let mut own = Scene { stack: Stack::default(), ..scene.clone() };
         (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
-        super::validate(&own).map_err(|source| element(format!("stack.layer {number}"), source))?;
+        validate(&own).map_err(|source| element(format!("stack.layer {number}"), source))?;
     }
     if !scene.projectile.nose.shears() {
         return Ok(());
@@ -213,7 +222,7 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
     let plates = stack::plates(scene);
     let count = plates.len() - 1;
     for (number, plate) in plates.iter().enumerate().skip(1) {
-        super::validate(plate).map_err(|source| element(stack::name(number, count), source))?;
+        validate(plate).map_err(|source| element(plate_name(number, count), source))?;
     }
     Ok(())
 }
