@@ -403,7 +403,7 @@ fn valid_a_target_without_strength_is_passed_whatever_the_steps() {
         let run =
             simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(())).unwrap();
         assert_eq!(run.outcome, Outcome::Perforated, "{tolerance:e}");
-        assert!(run.first_arrest.is_none() && run.error_estimate.unwrap() > 1.0, "{tolerance:e}");
+        assert!(run.first_arrest.is_none() && run.estimate.main.unwrap() > 1.0, "{tolerance:e}");
     }
 }
 
