@@ -425,6 +425,10 @@ fn valid_a_stop_that_is_struck_at_first_contact_takes_its_energy() {
         // One that gives back half of the speed is struck again by the plate that the contact pushes.
         let bounced = run(&pairs.replace("e=0", "e=0.5"));
         assert!(bounced.ledger.stop_j >= 0.75 * taken_j, "{pairs}");
+        let hit = bounced.events.iter().find(|event| event.kind == EventKind::StopHit).unwrap();
+        assert_eq!(hit.t_s.to_bits(), 0, "{pairs}");
+        // Nowhere is the plate beyond its stop, not by a rounding error either.
+        assert_eq!(bounced.max_plate_displacement_m, Some(0.0), "{pairs}");
         assert!(bounced.ledger.residual().abs() < 1e-12, "{:e}", bounced.ledger.residual());
     }
 }

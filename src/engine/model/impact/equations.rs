@@ -30,6 +30,11 @@ impl Equations<'_> {
         self.mode.origin_m + x_m
     }
 
+    /// Returns the displacement as results have it, m: a step that ends at a rigid stop can exceed it by a rounding error.
+    pub(super) fn shown_displacement_m(&self, x_m: f64) -> f64 {
+        smaller(self.displacement_m(x_m), self.setup.rigid_stop_m())
+    }
+
     /// Returns the ends of the present piece of the spring's law, from the origin of the mode, m.
     pub(super) fn knots_m(&self) -> (f64, f64) {
         let (below, above) = self.mode.spring.ends(self.mode.stretch);

@@ -16,8 +16,8 @@ use crate::model::run::{
     Arrest, Cost, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Parting, Sample,
 };
 use crate::numerics::event_location::{EventSearch, first_crossing};
+use crate::numerics::larger;
 use crate::numerics::quadrature::GAUSS_10;
-use crate::numerics::{larger, smaller};
 
 /// Number of rows after which only the ends of steps are kept.
 const ROWS_MAX: usize = 20_000;
@@ -147,9 +147,7 @@ impl Recorder {
             return;
         }
         for state in &path.looks {
-            let x_m = equations.displacement_m(state.x_m);
-            // A step that ends at a rigid stop can exceed it by a rounding error.
-            self.note_displacement(smaller(x_m, equations.setup.rigid_stop_m()), state.t_s);
+            self.note_displacement(equations.shown_displacement_m(state.x_m), state.t_s);
         }
     }
 
@@ -163,7 +161,7 @@ impl Recorder {
 
     /// Records a state.
     pub(super) fn reach(&mut self, equations: &Equations<'_>, state: &State) {
-        self.note_displacement(equations.displacement_m(state.x_m), state.t_s);
+        self.note_displacement(equations.shown_displacement_m(state.x_m), state.t_s);
         self.fastest_m_s = larger(state.w_m_s.abs(), self.fastest_m_s);
     }
 
@@ -430,7 +428,7 @@ impl Recorder {
             self.first_arrest = Some(Arrest {
                 t_s: state.t_s,
                 penetration_m: after.setup.geometry.depth_m(state.q_m),
-                plate_displacement_m: after.displacement_m(state.x_m),
+                plate_displacement_m: after.shown_displacement_m(state.x_m),
                 plate_velocity_m_s: state.w_m_s,
             });
         }

@@ -472,7 +472,7 @@ pub(super) fn sample(equations: &Equations<'_>, state: &State) -> Sample {
     };
     let (x_m, w_m_s) = match mode.hold {
         PlateConstraint::Spring => equations.quasi_static_state(state),
-        _ => (equations.displacement_m(state.x_m), state.w_m_s),
+        _ => (equations.shown_displacement_m(state.x_m), state.w_m_s),
     };
     let spring_n = mode.spring.force(x_m);
     Sample {
