@@ -29,7 +29,7 @@ pub(super) struct AccuracyArguments {
 /// Compares the methods on the scene; exit status 1 if `auto` returns no result at a point.
 pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     arguments.table.check(true)?;
-    let Preset { name, scene, .. } = arguments.scene.load()?;
+    let Preset { name, heading, scene, .. } = arguments.scene.load()?;
     let effort = if arguments.quick { ComparisonOptions::QUICK } else { ComparisonOptions::FULL };
     let (report, extent) = progress::study(1, "points", |context| {
         compare(&Arc::new(scene.clone()), effort, &mut clock::processor_s, context)
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let report = report?;
     let reach = extent.reach;
     let table = &arguments.table;
-    let mut page = page(&name, &report, reach);
+    let mut page = page(&heading, &report, reach);
     page.push(Block::Warnings(accuracy::warnings(&report)));
     let (object, rows) = (accuracy::json(&name, &report, reach), accuracy::table(&name, &report));
     let source = (&arguments.scene.changes, &scene, effort.to_string());

@@ -780,11 +780,26 @@ fn a_changed_scene_is_headed_by_what_it_is() {
             .map(str::to_owned)
     };
     let own = "a scene of your own, from thesis-baseline: 2 changes";
-    for command in
-        ["run", "limit", "compare", "design", "seek --over k=1e4..1e6:5 --goal stroke_m=0.05"]
-    {
+    for command in [
+        "run",
+        "run --compare models",
+        "limit",
+        "compare",
+        "compare --map gamma=1..2:2,v_i=50..60:2",
+        "design",
+        "seek --over k=1e4..1e6:5 --goal stroke_m=0.05",
+        "sweep --over b=0..10:2",
+        "sensitivity",
+        "montecarlo --samples 20",
+        "optimise --samples 64",
+        "accuracy --quick",
+        "stability thesis-baseline",
+        "stability --map k --quick",
+        "report --output -",
+    ] {
         let done = in_folder(place.path(), &format!("{command} --set gamma=2 --set v_i=90"));
-        assert!(done.out.contains(own), "{command}: {}", done.out);
+        let words: Vec<&str> = done.out.split_whitespace().collect();
+        assert!(words.join(" ").contains(own), "{command}: {}", done.out);
         assert!(!done.out.contains("Baseline of chapter 9"), "{command}: {}", done.out);
     }
     assert_eq!(head("run").as_deref(), Some("thesis-baseline: Baseline of chapter 9"));

@@ -220,8 +220,8 @@ const KEYS: [&str; 6] =
     ["letter", "method", "least_error", "run_time_s_to_1e-6", "run_time_s_to_1e-9", "cheapest"];
 
 /// Returns the report: advice, the chart of error against run time, the methods, answers and references.
-pub fn page(name: &str, report: &AccuracyReport, reach: Reach) -> Page {
-    let mut page = Page::new(format!("{name}: error against run time"));
+pub fn page(heading: &str, report: &AccuracyReport, reach: Reach) -> Page {
+    let mut page = Page::new(format!("{heading}: error against run time"));
     page.space();
     if reach.is_complete() {
         page.line(advice(report));
