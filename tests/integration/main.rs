@@ -65,6 +65,8 @@ mod random;
 #[cfg(test)]
 mod readers;
 #[cfg(test)]
+mod readme;
+#[cfg(test)]
 mod screens;
 #[cfg(test)]
 mod seek;

@@ -9,6 +9,8 @@ use cmra_engine::model::variables;
 use cmra_studies::study::principles::{CONCEPTS, PRINCIPLES};
 use cmra_studies::study::thesis;
 
+use crate::readme::readme;
+
 fn cmra(arguments: &[&str]) -> (String, i32) {
     let output = crate::support::program().args(arguments).output().unwrap();
     (String::from_utf8(output.stdout).unwrap(), output.status.code().unwrap())
@@ -56,6 +58,9 @@ fn valid_rows_have_the_known_numbers() {
     assert!(rows.iter().all(|row| row["holds"] == true) && !json.contains("NaN"));
     let names: HashSet<&str> = rows.iter().filter_map(|row| row["id"].as_str()).collect();
     assert_eq!((rows.len(), names.len()), (thesis::claims().count(), rows.len()));
+    // Said in the README, too.
+    let masses = "12.7 projectiles uncocked, 2166 at d = 0.5 m";
+    assert!(text("9.5.1-mass", "computed").contains(masses) && readme().contains(masses));
 }
 
 /// K. E. Bisshopp and D. C. Drucker, *Quarterly of Applied Mathematics* 3 (1945) 272: the tip's displacement over the length for
