@@ -349,8 +349,12 @@ pub(super) fn results(scene: &Scene) -> Option<Run> {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
     use super::*;
-    use crate::model::simulate::bare_run;
+    use crate::model::run::RunSnapshot;
+    use crate::model::simulate::{Settings, bare_run, simulate};
     use crate::model::variables::scene_with;
 
     /// Reference values: the closed form in 30-digit arithmetic.
@@ -459,6 +463,12 @@ mod tests {
             assert!((found_n / peak_n - 1.0).abs() < 2e-12, "{pairs}: {found_n} {peak_n}");
         }
         assert!(beside > 10, "{beside}");
+        // The same formula in another program.
+        let scene = Arc::new(scene_with("m_p=10 R=1mm h=4mm theta=60deg k=0"));
+        let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
+        let run = simulate(&scene, &Settings::default(), go_on).unwrap();
+        let error = (run.peak_contact_force_n.unwrap() / 498.805_577_770_0 - 1.0).abs();
+        assert!(error < 1e-12 && error <= run.error_of("peak_contact_force_n").unwrap());
     }
 
     const FRAGMENT_20_MM: &str =
