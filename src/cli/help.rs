@@ -157,6 +157,16 @@ mod tests {
         }
     }
 
+    /// A line break in the source of a text that is none in the text.
+    #[test]
+    fn helps_have_no_marks_of_the_source() {
+        let mut program = commands::whole();
+        for command in program.get_subcommands_mut() {
+            let help = command.render_long_help().to_string();
+            assert!(!help.contains('\\') && !help.contains("///"), "{help}");
+        }
+    }
+
     #[test]
     fn pages_fit_80_columns() {
         let pages = TOPICS.iter().map(|topic| (topic.0, topic.2.to_owned()));

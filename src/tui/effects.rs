@@ -359,6 +359,37 @@ mod tests {
     }
 
     #[test]
+    fn an_export_makes_its_folder() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("new/deep/a.csv");
+        let to = Destination { path: path.clone(), existing: OverwritePolicy::Keep };
+        let exported = export(&to, &Content::Text("1\n".to_owned()));
+        assert!(matches!(exported, ExportOutcome::Written(files) if files == [path.clone()]));
+        assert_eq!(fs::read_to_string(path).unwrap(), "1\n");
+    }
+
+    /// Killed programs leave their temporary files in each folder of the workbench.
+    #[test]
+    fn temporary_files_of_killed_programs_go_at_the_start() {
+        let place = tempfile::tempdir().unwrap();
+        let paths = Paths::below(place.path());
+        let folders = [paths.state.clone(), paths.recent_folder(), paths.presets.clone()];
+        for folder in &folders {
+            fs::create_dir_all(folder).unwrap();
+            fs::write(folder.join(".cmra-killed.tmp"), "1").unwrap();
+        }
+        let (send, inbox) = mpsc::channel();
+        let known = SessionFingerprint::default();
+        let io_thread = IoThread::spawn(Some(paths), known, Duration::ZERO, send).unwrap();
+        // The answer comes after the start.
+        io_thread.ask(Task::ListPresets(Vec::new()));
+        report(&inbox);
+        for folder in folders {
+            assert_eq!(fs::read_dir(&folder).unwrap().count(), 0, "{folder:?}");
+        }
+    }
+
+    #[test]
     fn a_session_that_cannot_be_kept_is_reported_once() {
         let (place, paths, io_thread, inbox) = started(Duration::ZERO);
         // A file is at the place of the folder.

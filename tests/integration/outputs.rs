@@ -48,14 +48,24 @@ fn a_scene_is_named_alike_in_every_table() {
 /// A program that reads a pipe cannot ask for the rest.
 #[test]
 fn warnings_go_into_a_pipe_in_full() {
-    let page = says("run", &["--set", "gamma=0.05", "--set", "k=7.5e6", "--set", "d=0.5"], 0).0;
-    let words: Vec<&str> = page.split_whitespace().collect();
-    let page = words.join(" ");
-    let warnings = json("run", &["--set", "gamma=0.05", "--set", "k=7.5e6", "--set", "d=0.5"]);
-    let warnings = warnings["warnings"].as_array().unwrap();
-    assert!(warnings.len() > 2);
-    for warning in warnings {
-        assert!(page.contains(warning.as_str().unwrap()), "{warning}\n{page}");
+    let scene = ["--set", "gamma=0.05", "--set", "k=7.5e6", "--set", "d=0.5"];
+    let commands: [(&str, &[&str]); 5] = [
+        ("run", &[]),
+        ("limit", &[]),
+        ("compare", &[]),
+        ("montecarlo", &["--samples", "20"]),
+        ("seek", &["--over", "b=0..100:3", "--goal", "stroke_m=0.95"]),
+    ];
+    for (command, more) in commands {
+        let arguments = [&scene[..], more].concat();
+        let page = says(command, &arguments, 0).0;
+        let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+        let object = json(command, &arguments);
+        let warnings = object["warnings"].as_array().unwrap();
+        assert!(warnings.len() > 1, "{command}");
+        for warning in warnings {
+            assert!(page.contains(warning.as_str().unwrap()), "{command}: {warning}\n{page}");
+        }
     }
 }
 
@@ -82,16 +92,6 @@ fn no_format_is_written_under_the_name_of_another() {
 fn a_map_names_its_vertical_axis_once() {
     let page = says("stability", &["--map", "k", "--quick"], 0).0;
     assert_eq!(page.matches("up: k").count(), 1, "{page}");
-}
-
-/// A line break in the source of a text that is none in the text.
-#[test]
-fn helps_have_no_marks_of_the_source() {
-    for command in ["run", "limit", "compare", "optimise", "seek", "sweep", "validate", "stability"]
-    {
-        let help = says(command, &["--help"], 0).0;
-        assert!(!help.contains('\\') && !help.contains("///"), "{command}: {help}");
-    }
 }
 
 #[test]

@@ -343,6 +343,8 @@ fn edges_and_levels_in_the_texts_of_figures_are_those_of_runs() {
     let rises: Vec<f64> = depths.windows(2).map(|pair| pair[1] - pair[0]).collect();
     assert!(rises.windows(2).all(|pair| pair[1] < pair[0]), "{rises:?}");
     assert!(rises[3] > 0.03 * depths[3], "{depths:?}");
+    let text = preset::resolve("figure-9.4", None).unwrap().comment;
+    assert!(text.contains("does not level off"), "{text}");
     // At the first arrest of the preset `cocked` the spring pulls 28.5 times as hard as the grip holds.
     let scene = Arc::new(preset::resolve("cocked", None).unwrap().scene);
     let run = simulate(&scene, &Settings::SERIES, &mut |_| ControlFlow::Continue(())).unwrap();

@@ -112,6 +112,7 @@ fn each_study_that_is_cut_short_says_so_on_its_page_and_in_its_file() {
         (format!("seek --over gamma=1..3:9 --goal stroke_m=1mm {slow}"), " runs"),
         ("optimise".to_owned(), " runs"),
         ("montecarlo --samples 1000000".to_owned(), " runs"),
+        (format!("sensitivity {slow}"), " runs"),
         ("stability".to_owned(), " scenes"),
         ("stability --map k".to_owned(), " rows"),
         ("accuracy --set interface=plastic".to_owned(), " points"),

@@ -1,9 +1,20 @@
 //! Common behaviour of all studies' commands: tables can be made again from their sidecar, pages repeat the changes, and no request is
 //! ignored.
 
+use std::collections::HashSet;
 use std::fs;
+use std::sync::{Arc, Condvar, Mutex};
+use std::thread;
+use std::time::Duration;
 
-use crate::support::in_folder;
+use cmra_studies::study::compare::{Hardware, compare};
+use cmra_studies::study::context::{Context, never_cancel};
+use cmra_studies::study::limit;
+use cmra_studies::study::parallel::{Clock, Threads, WorkClock};
+use cmra_studies::study::stability::map::{Axis, FixedStep, StabilityMapRequest, map};
+
+use crate::pty::HANG;
+use crate::support::{in_folder, scene};
 
 /// Rows without the column of the scene's name, which is the file's in the second run.
 fn rows(csv: &str) -> Vec<Vec<String>> {
@@ -79,4 +90,43 @@ fn two_results_for_standard_output_are_refused() {
             done.err
         );
     }
+}
+
+/// Counts the threads that do a study's pieces; each waits until there are two, or until the study hangs.
+fn threads_of(study: impl FnOnce(Threads)) -> usize {
+    let seen = Arc::new((Mutex::new(HashSet::new()), Condvar::new()));
+    let of_thread: Clock = {
+        let seen = Arc::clone(&seen);
+        Arc::new(move || {
+            let (threads, changed) = &*seen;
+            let mut threads = threads.lock().unwrap();
+            threads.insert(thread::current().id());
+            changed.notify_all();
+            let _ = changed.wait_timeout_while(threads, HANG, |threads| threads.len() < 2);
+            Duration::ZERO
+        })
+    };
+    let clock = WorkClock::new(of_thread, Arc::new(|| Duration::ZERO));
+    study(Threads::from(2).timed(&clock));
+    seen.0.lock().unwrap().len()
+}
+
+#[test]
+fn limits_comparisons_and_maps_use_the_threads_they_are_given() {
+    let scene = Arc::new(scene("b=500"));
+    let used = threads_of(|threads| {
+        limit::find(&scene, &mut Context::new(threads, &mut never_cancel)).unwrap();
+    });
+    assert!(used > 1, "limit");
+    let used = threads_of(|threads| {
+        compare(&scene, Hardware::default(), &mut Context::new(threads, &mut never_cancel))
+            .unwrap();
+    });
+    assert!(used > 1, "compare");
+    let used = threads_of(|threads| {
+        let wanted =
+            StabilityMapRequest { method: FixedStep::ALL[0], axis: Axis::ALL[0], size: (8, 8) };
+        map(&scene, wanted, &mut Context::new(threads, &mut never_cancel));
+    });
+    assert!(used > 1, "stability --map");
 }

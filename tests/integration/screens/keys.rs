@@ -497,6 +497,25 @@ fn export_asks_for_the_file_of_all_runs() {
     assert!(bench.message().contains("written: a.csv"));
 }
 
+/// As in every field, the first character replaces the text; a folder that does not exist is accepted.
+#[test]
+fn what_is_typed_replaces_the_proposed_name() {
+    for (typed, expected) in
+        [("x.csv", "/home/ada/work/x.csv"), ("new/deep/a.csv", "/home/ada/work/new/deep/a.csv")]
+    {
+        let mut bench = bench();
+        bench.press(&format!("e{typed}<Enter>"));
+        let (to, ..) = bench.exported().expect("a file");
+        assert_eq!(to.path.to_str(), Some(expected));
+    }
+    let mut bench = bench();
+    bench.press("smine<Enter>");
+    let saved = bench.effects.iter().any(
+        |effect| matches!(effect, Effect::Files(FileTask::SaveScene { name, .. }) if name == "mine"),
+    );
+    assert!(saved, "{:?}", bench.effects);
+}
+
 #[test]
 fn an_exports_bad_answers_stay_in_the_dialog() {
     let mut bench = bench();
