@@ -100,9 +100,8 @@ fn compute_by(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableErr
         })
     };
     let start = Instant::now();
-    let mut run = simulate::simulate(scene, &settings, &mut observer)?;
-    run.cost.took_s = Some(start.elapsed().as_secs_f64());
-    simulate::add_plastic(&mut run, &mut observer);
+    let took_s = &mut || start.elapsed().as_secs_f64();
+    let run = simulate::simulate_beside_plastic(scene, &settings, took_s, &mut observer)?;
     line.clear();
     Ok(run)
 }

@@ -31,8 +31,9 @@ pub(super) fn of_scene(
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
 ) -> Result<StudyResult, Box<dyn Error>> {
-    run(slot, reporter, |settings, observer| {
-        simulate::simulate(scene, settings, observer).map_err(|error| error.to_string())
+    run(slot, reporter, |settings, took_s, observer| {
+        simulate::simulate_beside_plastic(scene, settings, took_s, observer)
+            .map_err(|error| error.to_string())
     })
 }
 
@@ -40,11 +41,19 @@ pub(super) fn of_scene(
 pub(super) fn run(
     slot: Slot,
     reporter: &Reporter<'_>,
-    compute: impl FnOnce(&Settings, simulate::Observer<'_>) -> Result<Run, String>,
+    compute: impl FnOnce(
+        &Settings,
+        &mut dyn FnMut() -> f64,
+        simulate::Observer<'_>,
+    ) -> Result<Run, String>,
 ) -> Result<StudyResult, Box<dyn Error>> {
     let mut pulse = ReportSchedule { pause: SLOW, ..ReportSchedule::default() };
     let mut observer = |look: &RunSnapshot<'_>| {
         reporter.check_cancelled()?;
+        if reporter.elapsed.get().is_some() {
+            // The run is complete; what remains is the one with a plastic interface beside it.
+            return ControlFlow::Continue(());
+        }
         if let Some(t_s) = pulse.beat(look.t_s, || reporter.elapsed()) {
             let (progress, elapsed) = (JobProgress::Time(t_s), reporter.elapsed());
             (reporter.send)(ReportBody::Progress { progress, elapsed });
@@ -61,13 +70,13 @@ pub(super) fn run(
         }
         ControlFlow::Continue(())
     };
-    let mut run = compute(&Settings::default(), &mut observer)?;
     // The run time excludes the additional run with a plastic interface.
-    let took = reporter.elapsed();
-    reporter.elapsed.set(Some(took));
-    run.cost.took_s = Some(took.as_secs_f64());
-    simulate::add_plastic(&mut run, &mut |_| reporter.check_cancelled());
-    Ok(run.into())
+    let took_s = &mut || {
+        let took = reporter.elapsed();
+        reporter.elapsed.set(Some(took));
+        took.as_secs_f64()
+    };
+    Ok(compute(&Settings::default(), took_s, &mut observer)?.into())
 }
 
 /// Schedule of the reports of a run; times since its start.

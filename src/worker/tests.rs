@@ -51,7 +51,7 @@ fn slow_run(
     scene: &Arc<Scene>,
     reporter: &Reporter<'_>,
 ) -> Result<StudyResult, Box<dyn Error>> {
-    run(slot, reporter, |settings, observer| {
+    run(slot, reporter, |settings, took_s, observer| {
         let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
         let mut run = simulate::simulate(scene, settings, go_on).map_err(|it| it.to_string())?;
         assert!(scene.title != "panics", "deliberate");
@@ -65,6 +65,7 @@ fn slow_run(
             }
             run.end = EndReason::Cancelled;
         }
+        run.cost.took_s = Some(took_s());
         Ok(run)
     })
 }

@@ -116,11 +116,23 @@ fn plastic_beside(scene: &Scene, observer: Observer<'_>) -> Option<Run> {
     (run.end != EndReason::Cancelled).then_some(run)
 }
 
-/// Adds to a complete run its results with a plastic interface, where there are any.
-pub fn add_plastic(run: &mut Run, observer: Observer<'_>) {
+/// Simulates an impact, and beside a complete run with a fused interface the same shot with a plastic one. Between the two, `took_s` gives
+/// the time of the first, s: the model has no clock.
+///
+/// # Errors
+/// A [`VariableError`] under the same conditions as [`simulate`].
+pub fn simulate_beside_plastic(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    took_s: &mut dyn FnMut() -> f64,
+    observer: Observer<'_>,
+) -> Result<Run, VariableError> {
+    let mut run = simulate(scene, settings, observer)?;
+    run.cost.took_s = Some(took_s());
     if run.end.is_complete() {
-        run.plastic = plastic_beside(&run.scene, observer).map(Arc::new);
+        run.plastic = plastic_beside(scene, observer).map(Arc::new);
     }
+    Ok(run)
 }
 
 /// Runs a scene without time series and error estimate, for tests.
