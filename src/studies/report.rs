@@ -19,6 +19,7 @@ pub mod measured;
 pub mod monte_carlo;
 pub mod page;
 pub mod run;
+pub mod scene;
 pub mod seek;
 pub mod sensitivity;
 pub mod series;

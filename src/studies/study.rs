@@ -21,7 +21,6 @@ pub mod search;
 pub mod sensitivity;
 mod sobol;
 pub mod stability;
-pub mod stack;
 pub mod statistics;
 pub mod sweep;
 #[cfg(test)]

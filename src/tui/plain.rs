@@ -29,7 +29,8 @@ pub(crate) fn lines(page: &Page, style: TextStyle) -> Vec<TextLine> {
     page.blocks.iter().flat_map(|block| block_lines(block, style)).collect()
 }
 
-fn block_lines(block: &Block, style: TextStyle) -> Vec<TextLine> {
+/// Writes a block as lines of text.
+pub(crate) fn block_lines(block: &Block, style: TextStyle) -> Vec<TextLine> {
     let width = style.width;
     let all = |role: Role, texts: Vec<String>| texts.into_iter().map(|it| (it, role)).collect();
     let split = |text: &str| text.lines().map(str::to_owned).collect();
@@ -53,6 +54,7 @@ fn block_lines(block: &Block, style: TextStyle) -> Vec<TextLine> {
             all(Role::Text, split(&draw(picture, (columns, size.1), style.theme)))
         }
         Block::Warnings(list) => all(Role::Warning, warnings(list, style)),
+        Block::Code(text) => all(Role::Text, split(text)),
         Block::Space => vec![(String::new(), Role::Text)],
     }
 }

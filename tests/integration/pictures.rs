@@ -125,6 +125,8 @@ fn a_report_is_one_file_that_links_to_nothing() {
     let row = |symbol: &str| cells.iter().position(|cell| *cell == symbol).map(|at| cells[at + 2]);
     assert_eq!((row("gamma"), row("v_i")), (Some("3"), Some("90")));
     assert!(cells.contains(&"final_penetration_m"), "{cells:?}");
+    // The kinetic energy of 29.5 g at 90 m/s, where the text page has it.
+    assert!(cells.contains(&"119.475 J"), "{cells:?}");
     let svgs = read.descendants().filter(|node| node.tag_name().name() == "svg").count();
     assert!(svgs >= 7, "{svgs} pictures");
     // The scene in it is a scene file that gives the same run.

@@ -235,7 +235,7 @@ fn the_command_prints_the_table_as_page_csv_and_json() {
     };
     let page = cmra(&["validate"]);
     for text in
-        ["379   13  -1.8 %  4.7 %", "steel core on light alloy", "597   20", "never combined"]
+        ["379   13 -1.8 %  4.7 %", "steel core on light alloy", "597   20", "never combined"]
     {
         assert!(page.contains(text), "{text}: {page}");
     }

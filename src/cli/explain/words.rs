@@ -453,6 +453,8 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
         "spacing of an axis: equal steps for equal differences (linear) or for equal ratios (log)",
     ),
     (&["view"], "another way to show the same results"),
+    (&["symbol"], "short name of a variable, as `--set` takes it"),
+    (&["rows"], "number of measurements, or of points of a sweep"),
     (&["name in files", "key"], "name in scene files, CSV and JSON"),
     (
         &["solid", "solid plate"],

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::report::chart::{Axis, Chart, Curve, Scale, Unit};
 use crate::report::page::Page;
-use crate::report::table::Table;
+use crate::report::table::{Cells, Table};
 use crate::report::verdict;
 use crate::study::measured::{Errors, OUTPUTS, Row, errors};
 use crate::study::quantities::find;
@@ -81,16 +81,46 @@ fn page_keys(rows: &[Row]) -> Vec<&'static str> {
 
 /// Returns the table of errors by class and for all rows.
 pub fn error_table(list: &[Errors]) -> Table<'_, &Errors> {
+    // A class of a single paper has no band, one of few rows no scatter.
+    let shown = |value: &Value, text: fn(f64) -> String| {
+        Some(value.as_f64().map_or_else(String::new, text))
+    };
+    let signed = move |_: &&Errors, it: &Value| shown(it, |it| format!("{:+.1} %", 100.0 * it));
+    let scatter = move |_: &&Errors, it: &Value| shown(it, |it| format!("{:.1} %", 100.0 * it));
+    let share = move |_: &&Errors, it: &Value| shown(it, |it| format!("{:.0} %", 100.0 * it));
+    let speed = move |_: &&Errors, it: &Value| shown(it, |it| format!("{it:.1}"));
     Table::new(list)
-        .field("class", |it| it.group.as_deref().unwrap_or("all"))
-        .field("rows", |it| it.rows)
-        .field("papers", |it| it.papers)
-        .field("bias", |it| it.bias)
-        .field("standard_deviation", |it| it.deviation)
-        .field("mean_absolute_error_m_s", |it| it.mean_absolute_m_s)
-        .field("rms_error_m_s", |it| it.rms_m_s)
+        .with("class", "class", "", |it| it.group.as_deref().unwrap_or("all"))
+        .with("rows", "rows", "", |it| it.rows)
+        .with("papers", "from", "", |it| it.papers)
+        .with("bias", "bias", "", |it| it.bias)
+        .shown(signed)
+        .with("standard_deviation", "sd", "", |it| it.deviation)
+        .shown(scatter)
+        .with("mean_absolute_error_m_s", "mean", "", |it| it.mean_absolute_m_s)
+        .shown(speed)
+        .with("rms_error_m_s", "RMS", "", |it| it.rms_m_s)
+        .shown(speed)
         .field("rows_with_band", |it| it.banded)
-        .field("share_inside_band", |it| it.share_inside())
+        .with("share_inside_band", "inside", "", |it| it.share_inside())
+        .shown(share)
+}
+
+/// Columns of the errors on a page, with the widest last.
+const ERROR_KEYS: [&str; 8] = [
+    "rows",
+    "papers",
+    "bias",
+    "standard_deviation",
+    "mean_absolute_error_m_s",
+    "rms_error_m_s",
+    "share_inside_band",
+    "class",
+];
+
+/// Returns the errors by class and for all rows, as columns of a page.
+pub fn error_cells(list: &[Errors]) -> Vec<Cells> {
+    error_table(list).cells(&ERROR_KEYS)
 }
 
 /// Appends the rows, in the columns of measured quantities.
@@ -102,28 +132,9 @@ pub fn list(page: &mut Page, list: &[Row]) {
 pub fn error_page(page: &mut Page, list: &[Row]) {
     let list = errors(list);
     if !list.is_empty() {
-        page.lines(error_lines(&list));
+        page.table(error_cells(&list));
         page.paragraph(ERRORS_MEAN, 0);
     }
-}
-
-/// Formats the errors by class as lines below a heading, with the class in the last column.
-pub fn error_lines(list: &[Errors]) -> Vec<String> {
-    let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
-    let line = |it: &Errors| {
-        let scatter = it.deviation.map_or_else(String::new, |it| format!("{:.1} %", 100.0 * it));
-        let inside =
-            it.share_inside().map_or_else(String::new, |it| format!("{:.0} %", 100.0 * it));
-        let [mean, rms] = [it.mean_absolute_m_s, it.rms_m_s].map(|it| format!("{it:.1}"));
-        let (class, bias) = (it.group.as_deref().unwrap_or("all"), percent(it.bias));
-        let (rows, papers) = (it.rows, it.papers);
-        format!("{rows:>4}{papers:>5}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} {class}")
-    };
-    let [rows, papers, bias, scatter, mean, rms, inside] =
-        ["rows", "from", "bias", "sd", "mean", "RMS", "inside"];
-    let head =
-        format!("{rows:>4}{papers:>5}{bias:>8}{scatter:>7}{mean:>6}{rms:>6}{inside:>7} class");
-    std::iter::once(head).chain(list.iter().map(line)).collect()
 }
 
 /// Explanation of the columns.

@@ -39,6 +39,8 @@ pub enum Block {
     Picture(Box<Picture>, Size),
     /// Warnings of the scene, in a section of their own.
     Warnings(Vec<Warning>),
+    /// Text of a file or of commands, kept as it is.
+    Code(String),
     /// Blank line.
     Space,
 }
@@ -47,6 +49,27 @@ impl Block {
     /// Creates a paragraph whose further lines are indented by two blanks.
     pub fn paragraph(text: impl Into<String>) -> Self {
         Self::Fact { remark: Remark::new("", text), column: 2 }
+    }
+
+    /// Indents lines, labels and tables by some blanks.
+    fn indented(self, by: usize) -> Self {
+        let moved = |text: &str| format!("{:by$}{text}", "");
+        match self {
+            Self::Line(text) => Self::Line(moved(&text)),
+            Self::Fact { mut remark, column } => {
+                remark.about = moved(&remark.about).into();
+                Self::Fact { remark, column: column + by }
+            }
+            Self::Table(mut columns) => {
+                if let Some(first) = columns.first_mut() {
+                    let is_headed = !first.head.is_empty();
+                    first.head = if is_headed { moved(&first.head) } else { String::new() };
+                    first.cells.iter_mut().for_each(|cell| *cell = moved(cell));
+                }
+                Self::Table(columns)
+            }
+            other => other,
+        }
     }
 }
 
@@ -108,6 +131,12 @@ impl Page {
     /// Appends the heading of a section.
     pub fn heading(&mut self, text: impl Into<String>) {
         self.push(Block::Heading(text.into()));
+    }
+
+    /// Appends the heading of a section and its blocks, indented by some blanks.
+    pub fn section(&mut self, heading: impl Into<String>, indent: usize, blocks: Vec<Block>) {
+        self.heading(heading);
+        self.blocks.extend(blocks.into_iter().map(|block| block.indented(indent)));
     }
 
     /// Appends a table.

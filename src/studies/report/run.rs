@@ -17,6 +17,7 @@ use cmra_engine::model::units::fixed_significant;
 use cmra_engine::model::variables::{self, VARIABLES, Variable};
 
 pub mod page;
+pub mod stack;
 
 /// Run with its name (`now`, `A`, ...).
 pub type NamedRun = (String, Arc<Run>);

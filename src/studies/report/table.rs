@@ -13,8 +13,8 @@ use cmra_engine::model::run::Warning;
 use cmra_engine::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
 
 const DIGITS: usize = 4;
-/// Blanks between two columns of a page.
-const GAP: &str = "  ";
+/// Blanks between two columns of a page, and those of a table that would not fit otherwise.
+const GAPS: [usize; 2] = [2, 1];
 
 /// A column of a table with rows `R`.
 pub struct Column<'c, R> {
@@ -237,28 +237,31 @@ impl Cells {
     }
 }
 
-/// Columns beside each other, each as wide as its widest cell. Those that do not fit into the width follow below, the first one
-/// beside them again.
+/// Columns beside each other, each as wide as its widest cell, two blanks apart, or one if the table fits only then. Those that do not fit
+/// into the width follow below, the first one beside them again.
 pub fn grid(columns: &[Cells], width: usize) -> String {
     let Some((first, rest)) = columns.split_first() else { return String::new() };
+    let cells: usize = columns.iter().map(Cells::width).sum();
+    let fits = |gap: &usize| cells + gap * rest.len() <= width;
+    let gap = GAPS.into_iter().find(fits).unwrap_or(GAPS[0]);
     let (mut block, mut used, mut text) = (vec![first], first.width(), String::new());
     for column in rest {
-        let needed = GAP.len() + column.width();
+        let needed = gap + column.width();
         if used + needed > width && block.len() > 1 {
-            text += &(beside(&block) + "\n");
+            text += &(beside(&block, gap) + "\n");
             (block, used) = (vec![first], first.width());
         }
         block.push(column);
         used += needed;
     }
-    text + &beside(&block)
+    text + &beside(&block, gap)
 }
 
 /// The columns of a transposed table have no heading, and no line for it.
-fn beside(columns: &[&Cells]) -> String {
+fn beside(columns: &[&Cells], gap: usize) -> String {
     let line = |row: Option<usize>| {
         let cells: Vec<String> = columns.iter().map(|column| column.padded(row)).collect();
-        cells.join(GAP).trim_end().to_owned() + "\n"
+        cells.join(&" ".repeat(gap)).trim_end().to_owned() + "\n"
     };
     let rows = columns.first().map_or(0, |it| it.cells.len());
     let has_head = columns.iter().any(|it| !it.head.is_empty());

@@ -131,25 +131,22 @@ const SCATTER_FROM: usize = 3;
 
 /// Appends bias and scatter by class, and a summary line.
 pub fn summary(page: &mut Page, report: &[Row]) {
-    page.line(format!(
-        "{:<36}{:>7}{:>8}{:>8}  {}",
-        "computed over measured, minus 1", "points", "bias", "scatter", "least to greatest"
-    ));
     let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
-    for it in biases(report) {
-        let scatter = it
-            .deviation
-            .filter(|_| it.points >= SCATTER_FROM)
-            .map_or_else(String::new, |value| format!("{:.1} %", 100.0 * value));
-        let range = format!("{} to {}", percent(it.range.0), percent(it.range.1));
-        page.line(format!(
-            "{:<36}{:>7}{:>8}{scatter:>8}  {}",
-            it.class.unwrap_or("all points"),
-            it.points,
-            percent(it.mean),
-            if it.points > 1 { range.as_str() } else { "" }
-        ));
-    }
+    let scatter = |it: &Bias| it.deviation.filter(|_| it.points >= SCATTER_FROM);
+    let range = |it: &Bias| format!("{} to {}", percent(it.range.0), percent(it.range.1));
+    let table = Table::new(biases(report))
+        .with("class", "computed over measured, minus 1", "", |it| it.class.unwrap_or("all points"))
+        .with("points", "points", "", |it| it.points)
+        .with("bias", "bias", "", |it| it.mean)
+        .shown(|it, _| Some(percent(it.mean)))
+        .with("scatter", "scatter", "", scatter)
+        .shown(|it, _| {
+            Some(scatter(it).map_or_else(String::new, |it| format!("{:.1} %", 100.0 * it)))
+        })
+        .with("range", "least to greatest", "", |it| {
+            if it.points > 1 { range(it) } else { String::new() }
+        });
+    page.table(table.cells(&table.keys()));
     let computed = report.iter().filter(|row| row.computed.is_some()).count();
     let aside = report.iter().filter(|row| row.case.class == NOT_COUNTED).count();
     page.space();

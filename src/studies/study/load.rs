@@ -14,7 +14,7 @@ const SAME: f64 = 4.0 * f64::EPSILON;
 ///
 /// A rigid mount takes all of the contact force along the plate's normal. The run records the maximum over all its states, way back
 /// included. `None` if the run ended before the greatest displacement, or if a rigid stop was hit.
-pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
+pub fn peak_n(run: &Run) -> Option<f64> {
     peak_so_far_n(run).filter(|_| run.at_least.plate_displacement_m.is_none())
 }
 

@@ -1,14 +1,14 @@
 //! Log tab: messages of this session, and all information on the current run.
 
 use crate::tui::app::notice::Notice;
-use crate::tui::app::pins::DisplayedRun;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::plain::{TextStyle, block_lines};
+use crate::tui::theme::Theme;
 use crate::tui::widgets::table::filtered;
 use crate::tui::widgets::text::{broken, counted};
-use cmra_engine::model::run::envelope;
-use cmra_studies::report::run::page::{
-    computation, energy, events, labelled, of_first, results, sentence,
-};
+use cmra_studies::report::Remark;
+use cmra_studies::report::page::{Block, Page as Report};
+use cmra_studies::report::run::page::log;
 
 pub const LOG: Pane = Pane::new(Tab::Log, 0);
 
@@ -71,73 +71,68 @@ impl Page for LogTab {
 
 /// Number of messages above the report of the run.
 const NEWEST: usize = 5;
+/// Columns of the borders and of the indentation, and a blank.
+const AROUND: usize = 6;
 
 /// Returns all lines of the Log tab, wrapped for a screen of this width.
 pub fn log_lines(app: &App, columns: usize) -> Vec<TextLine> {
-    let message = |notice: &Notice| {
-        let word = notice.severity.word();
-        (format!("{word:<8} {}", notice.text), notice.severity.role())
-    };
+    let width = columns.saturating_sub(AROUND).max(10);
+    let wanted = app.pages.log.find.trim().to_lowercase();
+    let is_wanted = |text: &str| text.to_lowercase().contains(&wanted);
     let mut messages: Vec<TextLine> = app.pages.log.messages.iter().rev().map(message).collect();
+    messages.retain(|line| is_wanted(&line.0));
     let older = messages.split_off(NEWEST.min(messages.len()));
-    let mut lines = Vec::new();
-    section(&mut lines, "Messages of this session, newest first", messages);
-    match &app.shown {
-        Some(shown) => of_run(&mut lines, shown, app.is_stale()),
-        None => section(&mut lines, "Run", [("no run yet".to_owned(), Role::Dim)]),
+    let mut report = Vec::new();
+    if let Some(shown) = &app.shown {
+        let took_s = shown.elapsed.map(|took| took.as_secs_f64());
+        report.extend(log(&shown.run, took_s, app.is_stale()).blocks);
+    } else {
+        report.extend([Block::Heading("Run".to_owned()), Block::Line("no run yet".to_owned())]);
     }
+    report.extend(ends_of_axes(app));
+    let style = TextStyle { width, theme: Theme::PLAIN, is_brief: false };
+    // A text of several lines is kept whole; of a table each line is one.
+    let lines = report.iter().flat_map(|block| {
+        let lines = block_lines(block, style);
+        let whole: Vec<&str> = lines.iter().map(|line| line.0.trim()).collect();
+        let is_whole = !matches!(block, Block::Table(_)) && is_wanted(&whole.join(" "));
+        lines.into_iter().filter(|line| is_whole || is_wanted(&line.0)).collect::<Vec<TextLine>>()
+    });
+    let mut all = Vec::new();
+    let heading = |text: &str| (text.to_owned(), Role::Title);
+    let newest = "Messages of this session, newest first";
+    all.extend(is_wanted(newest).then(|| heading(newest)));
+    if messages.is_empty() && wanted.is_empty() {
+        messages.push(("none".to_owned(), Role::Dim));
+    }
+    all.extend(broken(messages, width));
+    all.extend(lines);
+    if !older.is_empty() {
+        all.extend([(String::new(), Role::Text), heading("Older messages")]);
+        all.extend(broken(older, width));
+    }
+    all
+}
+
+/// Formats a message after the word for its severity.
+fn message(notice: &Notice) -> TextLine {
+    let word = notice.severity.word();
+    (format!("{word:<8} {}", notice.text), notice.severity.role())
+}
+
+/// Lists what the ends of an axis of the pages' studies are outside of.
+fn ends_of_axes(app: &App) -> Vec<Block> {
     let explore = app.pages.explore.found();
     let explore = explore.map_or(&[][..], |grid| &grid.outside_at_ends);
     let search = app.pages.search.answer();
     let search = search.map_or(&[][..], |answer| answer.outside_at_ends());
+    let mut page = Report::default();
     for (heading, ends) in [("Explore", explore), ("Search", search)] {
         if !ends.is_empty() {
-            let ends = ends.iter().map(|end| (format!("! {}", end.1), Role::Warning));
-            section(&mut lines, &format!("Warnings at the ends of an axis: {heading}"), ends);
+            page.heading(format!("Warnings at the ends of an axis: {heading}"));
+            let ends = ends.iter().map(|end| Remark::caution("! ", end.1.to_string()));
+            page.remarks(ends, 2);
         }
     }
-    if !older.is_empty() {
-        section(&mut lines, "Older messages", older);
-    }
-    let wanted = app.pages.log.find.trim().to_lowercase();
-    lines.retain(|line| line.0.to_lowercase().contains(&wanted));
-    // Two borders, and three columns of indentation with one blank.
-    broken(lines, columns.saturating_sub(6).max(10))
-}
-
-/// Appends a heading and the lines below it, after a blank line.
-fn section(lines: &mut Vec<TextLine>, heading: &str, body: impl IntoIterator<Item = TextLine>) {
-    if !lines.is_empty() {
-        lines.push((String::new(), Role::Text));
-    }
-    lines.push((heading.to_owned(), Role::Title));
-    let before = lines.len();
-    lines.extend(body);
-    if lines.len() == before {
-        lines.push(("none".to_owned(), Role::Dim));
-    }
-}
-
-fn of_run(lines: &mut Vec<TextLine>, shown: &DisplayedRun, is_stale: bool) {
-    let run = &shown.run;
-    let plain = |texts: Vec<String>| texts.into_iter().map(|text| (text, Role::Text));
-    let which = if is_stale { " (of another scene)" } else { "" };
-    let warnings = envelope::warnings(run).into_iter();
-    let warnings = warnings.map(|warning| (format!("! {warning}"), Role::Warning));
-    section(lines, &format!("Warnings of the run{which}"), warnings);
-    if let Some(stack) = &run.stack {
-        section(
-            lines,
-            "Stack: plate by plate",
-            plain(cmra_studies::study::stack::table(run, stack)),
-        );
-    }
-    let first = of_first(run);
-    section(lines, &format!("Events{first}"), plain(events(run)));
-    let heading = format!("Energy{first}: where it was at the start, and where it went");
-    section(lines, &heading, plain(energy(run)));
-    let results = plain([vec![sentence(run)], labelled(results(run))].concat());
-    section(lines, &format!("Results{first}"), results);
-    let took_s = shown.elapsed.map(|took| took.as_secs_f64());
-    section(lines, &format!("Computation{first}"), plain(labelled(computation(run, took_s))));
+    page.blocks
 }

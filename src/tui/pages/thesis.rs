@@ -10,6 +10,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run;
 use crate::tui::preset::ReferencePreset;
 use crate::worker::studies::Claims;
+use cmra_studies::report::table::grid;
 use cmra_studies::report::{measured as limits, thesis};
 use cmra_studies::study::measured::{errors, left_out};
 use cmra_studies::study::principles::{self, Concept, FUNCTIONS, Principle};
@@ -386,7 +387,8 @@ fn concepts(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// Draws measured limits and the limits expected from all other papers: the chart, and the errors by class.
 fn measured(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let rows = left_out();
-    let lines = limits::error_lines(&errors(rows));
+    let table = grid(&limits::error_cells(&errors(rows)), usize::from(area.width.max(80) - 2));
+    let lines: Vec<&str> = table.lines().collect();
     let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
     let (above, below) = split_bottom(area, height.min(area.height.saturating_sub(CHART_LEAST)));
     if let Some(mut chart) = limits::picture(rows) {
@@ -398,7 +400,7 @@ fn measured(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .draw(below, canvas);
     for (y, line) in (0..inner.height).zip(lines) {
         let role = if y == 0 { Role::Dim } else { Role::Text };
-        canvas.put(inner, (0, y), &line, role);
+        canvas.put(inner, (0, y), line, role);
     }
 }
 

@@ -1,15 +1,16 @@
-//! Text report of a run: the outcome as a sentence, and results, events, energy and computation, one per line. Pages and screens share
-//! these lines.
+//! Report of a run: the outcome as a sentence, and results, warnings, energy, events and computation as blocks, which text, Log tab and
+//! HTML share.
 
+use crate::report::Remark;
 use crate::report::clean;
 use crate::report::figures::run::{event_letter, mechanism, response};
 use crate::report::page::{Block, Page, Size};
-use crate::report::run::{AT_START, ENERGY, LedgerPart};
+use crate::report::run::{AT_START, ENERGY, LedgerPart, stack};
 use crate::report::svg::Picture;
+use crate::report::table::Cells;
 use crate::report::traces::Traces;
 use crate::report::verdict;
 use crate::study::quantities;
-use crate::study::stack;
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{EstimateBasis, Event, Outcome, Run, envelope};
 use cmra_engine::model::scene::Scene;
@@ -27,9 +28,10 @@ fn short(value: f64, unit: &str) -> String {
 /// Label and text of a line.
 type Labelled = (&'static str, String);
 
-/// Formats labels with the texts beside them.
-pub fn labelled(all: Vec<Labelled>) -> Vec<String> {
-    all.into_iter().map(|(label, text)| format!("{label:<LABEL$}{text}")).collect()
+/// Returns texts beside their labels.
+pub fn labelled(all: Vec<Labelled>) -> Vec<Block> {
+    let fact = |(label, text)| Block::Fact { remark: Remark::new(label, text), column: LABEL };
+    all.into_iter().map(fact).collect()
 }
 
 /// Returns the end of a heading for results of a stack's first element, ` of element 1`; empty for a single plate.
@@ -231,63 +233,78 @@ fn if_it_yields(plastic: &Run) -> String {
     format!("{word}{} (interface = plastic)", result.unwrap_or_default())
 }
 
-/// Lists the events with their letters in the charts.
-pub fn events(run: &Run) -> Vec<String> {
-    let line = |(index, event): (usize, &Event)| {
+/// Column of an event after its letter and time.
+const EVENT: usize = 14;
+
+/// Lists the events beside their times, with their letters in the charts.
+pub fn events(run: &Run) -> Vec<Block> {
+    let fact = |(index, event): (usize, &Event)| {
         let (letter, time) = (event_letter(index), engineering(event.t_s, "s", 6));
-        format!("{letter:<2}{time:>10}  {}", event.kind.words())
+        let remark = Remark::new(format!("{letter:<2}{time:>10}  "), event.kind.words());
+        Block::Fact { remark, column: EVENT }
     };
-    run.events.iter().enumerate().map(line).collect()
+    run.events.iter().enumerate().map(fact).collect()
 }
 
 /// Number of events shown at each end of a list.
 const EVENTS_SHOWN: usize = 10;
 
-/// Formats the events for a page; only the first and last of a plate that chatters on its stop.
-pub fn events_in_brief(run: &Run) -> Vec<String> {
-    let mut lines = events(run);
-    if lines.len() > 2 * EVENTS_SHOWN {
-        let omitted = EVENTS_SHOWN..lines.len() - EVENTS_SHOWN;
+/// Lists the events for a page; only the first and last of a plate that chatters on its stop.
+fn events_in_brief(run: &Run) -> Vec<Block> {
+    let mut blocks = events(run);
+    if blocks.len() > 2 * EVENTS_SHOWN {
+        let omitted = EVENTS_SHOWN..blocks.len() - EVENTS_SHOWN;
         let note = format!("... {} more: --json lists them all", omitted.len());
-        lines.splice(omitted, [note]);
+        blocks.splice(omitted, [Block::Line(note)]);
     }
-    lines
+    blocks
 }
 
-/// Lists the energy ledger, one term per line, with fractions of the initial energy. Without a measured outcome the energies at the end are
+/// Lists the energy ledger, one term per row, with fractions of the initial energy. Without a measured outcome the energies at the end are
 /// unknown.
-pub fn energy(run: &Run) -> Vec<String> {
+pub fn energy(run: &Run) -> Vec<Block> {
     let ledger = &run.ledger;
-    let start_j = ledger.initial_j();
-    let line = |label: &str, energy_j: f64| {
-        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
-        let (energy, percent) = (fixed_significant(energy_j, 6), units::decimals(percent, 2));
-        // No prefix, so that terms in a column can be compared.
-        format!("{label:<13}{energy:>8} J  {percent:>6} %")
-    };
-    let terms = |parts: &[LedgerPart]| -> Vec<String> {
+    let terms = |parts: &[LedgerPart]| -> Vec<(&'static str, f64)> {
         let terms = parts.iter().map(|(_, label, get)| (*label, get(ledger)));
-        terms.filter(|term| term.1 != 0.0).map(|(label, energy_j)| line(label, energy_j)).collect()
+        terms.filter(|term| term.1 != 0.0).collect()
     };
     let (start, end) = ENERGY.split_at(AT_START);
     let start = terms(start);
-    let mut lines = vec![line("at the start", start_j)];
+    let mut rows = vec![("at the start", ledger.initial_j())];
     // A single term equals the total.
-    lines.extend(if start.len() > 1 { start } else { Vec::new() });
+    rows.extend(if start.len() > 1 { start } else { Vec::new() });
     if run.outcome == Outcome::Unmeasured {
-        lines.push(format!("{:<13}not measured", "at the end"));
-        return lines;
+        let remark = Remark::new("at the end", "not measured");
+        return vec![Block::Table(of_energies(&rows)), Block::Fact { remark, column: 13 }];
     }
     let (weight, end) = end.split_at(1);
-    lines.extend(terms(weight));
-    lines.push(line("at the end", ledger.final_j()));
-    lines.extend(terms(end));
+    rows.extend(terms(weight));
+    rows.push(("at the end", ledger.final_j()));
+    rows.extend(terms(end));
     let residual = match ledger.residual() {
         0.0 => "0".to_owned(),
         other => units::scientific(other, 1),
     };
-    lines.push(format!("{:<13}{residual:>10}  of the start", "residual"));
-    lines
+    let label = format!("{:<13}{residual:>10}  ", "residual");
+    let residual = Block::Fact { column: label.len(), remark: Remark::new(label, "of the start") };
+    vec![Block::Table(of_energies(&rows)), residual]
+}
+
+/// Returns the columns of energies and of their percentages of the first.
+fn of_energies(rows: &[(&'static str, f64)]) -> Vec<Cells> {
+    let column = |is_text: bool, text: &dyn Fn(&str, f64) -> String| Cells {
+        head: String::new(),
+        is_text,
+        cells: rows.iter().map(|(label, energy_j)| text(label, *energy_j)).collect(),
+    };
+    let start_j = rows.first().map_or(0.0, |row| row.1);
+    let percent = |energy_j: f64| if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
+    vec![
+        column(true, &|label, _| label.to_owned()),
+        // No prefix, so that terms in a column can be compared.
+        column(false, &|_, energy_j| format!("{} J", fixed_significant(energy_j, 6))),
+        column(false, &|_, energy_j| format!("{} %", units::decimals(percent(energy_j), 2))),
+    ]
 }
 
 /// Describes how the run was computed, its run time if known, and its error.
@@ -342,27 +359,20 @@ fn largest_error(run: &Run) -> Option<String> {
 /// lines of charts have the letters of the list of events.
 pub fn page(name: &str, run: &Run, with: Option<&Traces>, has_charts: bool) -> Page {
     let mut page = Page::new(titled(name, &run.scene));
-    if let Some(stack) = &run.stack {
-        page.lines(stack::table(run, stack));
+    if run.stack.is_some() {
+        page.blocks.extend(stack::blocks(run));
         page.heading("element 1 in full:");
     }
     page.line(sentence(run));
     page.line(verdict::of_run(run));
     page.space();
-    for (label, text) in results(run) {
-        page.fact(label, LABEL, text);
-    }
+    page.blocks.extend(labelled(results(run)));
     page.push(Block::Warnings(envelope::warnings(run)));
-    page.heading("energy");
-    page.lines(energy(run).into_iter().map(|line| format!("  {line}")));
+    page.section("energy", 2, energy(run));
     if !run.events.is_empty() {
-        page.heading("events");
+        page.section("events", 2, events_in_brief(run));
     }
-    page.lines(events_in_brief(run).into_iter().map(|line| format!("  {line}")));
-    page.heading("computation");
-    for (label, text) in computation(run, run.cost.took_s) {
-        page.fact(format!("  {label}"), LABEL + 2, text);
-    }
+    page.section("computation", 2, labelled(computation(run, run.cost.took_s)));
     if let Some(traces) = with {
         traces.compare(&mut page, run);
     }
@@ -371,6 +381,30 @@ pub fn page(name: &str, run: &Run, with: Option<&Traces>, has_charts: bool) -> P
         page.space();
         page.picture(Picture::Chart(chart), SIZE);
     }
+    page
+}
+
+/// Returns everything about a run by sections, warnings and events first; a scene edited since is named another scene.
+pub fn log(run: &Run, took_s: Option<f64>, is_stale: bool) -> Page {
+    let mut page = Page::default();
+    let which = if is_stale { " (of another scene)" } else { "" };
+    let warnings = envelope::warnings(run).into_iter();
+    let warnings = warnings.map(|it| Remark::caution("! ", it.to_string()));
+    let warnings = warnings.map(|remark| Block::Fact { remark, column: 2 }).collect();
+    let none = || vec![Block::Line("none".to_owned())];
+    let or_none = |blocks: Vec<Block>| if blocks.is_empty() { none() } else { blocks };
+    page.section(format!("Warnings of the run{which}"), 0, or_none(warnings));
+    if run.stack.is_some() {
+        page.section("Stack: plate by plate", 0, stack::blocks(run));
+    }
+    let first = of_first(run);
+    page.section(format!("Events{first}"), 0, or_none(events(run)));
+    let heading = format!("Energy{first}: where it was at the start, and where it went");
+    page.section(heading, 0, energy(run));
+    page.heading(format!("Results{first}"));
+    page.line(sentence(run));
+    page.blocks.extend(labelled(results(run)));
+    page.section(format!("Computation{first}"), 0, labelled(computation(run, took_s)));
     page
 }
 
@@ -383,22 +417,29 @@ pub fn titled(name: &str, scene: &Scene) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::table::grid;
     use crate::study::testing::run_of;
 
     /// Without a spring two bodies of equal mass share the momentum: half the velocity, half the energy.
     #[test]
     fn valid_a_free_plate_of_equal_mass_takes_half_of_everything() {
         let run = run_of("k=0");
-        let results = labelled(results(&run)).join("\n");
-        assert!(results.contains("  common velocity       50.0000 m/s"), "{results}");
-        assert!(
-            results.contains("max plate displacement  none: nothing stops the plate"),
-            "{results}"
-        );
-        let energy = energy(&run).join("\n");
-        assert!(energy.contains("at the start  147.500 J  100.00 %"), "{energy}");
-        assert!(energy.contains("penetration   73.7500 J   50.00 %"), "{energy}");
-        assert!(energy.contains("plate         36.8750 J   25.00 %"), "{energy}");
+        let results = results(&run);
+        for (label, value) in [
+            ("  common velocity", "50.0000 m/s"),
+            ("max plate displacement", "none: nothing stops the plate"),
+        ] {
+            assert!(results.contains(&(label, value.to_owned())), "{results:?}");
+        }
+        let Block::Table(energies) = &energy(&run)[0] else { panic!("a table comes first") };
+        let energy = grid(energies, 80);
+        for row in [
+            "at the start  147.500 J  100.00 %",
+            "penetration   73.7500 J   50.00 %",
+            "plate         36.8750 J   25.00 %",
+        ] {
+            assert!(energy.contains(row), "{energy}");
+        }
     }
 
     /// A result has the label of its quantity, where it is one.
