@@ -154,6 +154,10 @@ fn faults(run: &Run) -> Vec<String> {
     if residual.is_none_or(|residual| residual.abs() > 1e-6) && !has_warning {
         faults.push(format!("energy_residual = {residual:?}: no text {:?}", object["warnings"]));
     }
+    let goes_back = run.series.windows(2).find(|pair| pair[1].t_s < pair[0].t_s);
+    if let Some([before, after]) = goes_back {
+        faults.push(format!("a row at {:e} s after one at {:e} s", after.t_s, before.t_s));
+    }
     if object["complete"] == true && object["outcome"] == "moving" {
         faults.push("complete, and still moving".to_owned());
     }

@@ -252,9 +252,13 @@ fn energy_closes_to_1e_9_on_every_preset() {
 
 #[test]
 fn series_is_ordered_finite_and_ends_where_the_results_say() {
-    for pairs in
-        ["k=1e5", "d=0.5 k=1e5 interface=plastic", "x_stop=0.01 e=0.5 k=1e5", "mount=rigid"]
-    {
+    for pairs in [
+        "k=1e5",
+        "d=0.5 k=1e5 interface=plastic",
+        "x_stop=0.01 e=0.5 k=1e5",
+        "mount=rigid",
+        "dishing=off interface=plastic",
+    ] {
         let run = run(pairs);
         assert!(run.series.len() > 20, "{pairs}");
         for pair in run.series.windows(2) {

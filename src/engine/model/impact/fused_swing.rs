@@ -118,9 +118,9 @@ impl FusedSwing {
         bracketed_root(self.from, self.to, |phase| self.state(phase).t_s - t_s)
     }
 
-    /// Returns the state at a fraction of the phase.
+    /// Returns the state at a fraction of the phase; at 1 to the last bit that at the end.
     pub(super) fn at(&self, fraction: f64) -> State {
-        self.state(self.from + fraction * (self.to - self.from))
+        self.state((1.0 - fraction) * self.from + fraction * self.to)
     }
 
     /// Returns the state at a fraction of the time.
@@ -170,6 +170,7 @@ mod tests {
             assert!(is_near(end.x_m, direction * to_m, 1e-13));
             let half_m = far_m * (0.5 * rate * t_s + (direction * 1e-4 / far_m).asin()).sin();
             assert!(is_near(swing.at_time(0.5).x_m, direction * half_m, 1e-12), "{k} {speed_m_s}");
+            assert_eq!(swing.at(1.0).t_s.to_bits(), end.t_s.to_bits(), "{k} {speed_m_s}");
         }
     }
 
