@@ -109,6 +109,11 @@ fn the_force_into_the_mount_bounds_the_rows_and_does_not_depend_on_them() {
             own.mechanism.stop.position_m = Some(1e-3);
             own.mechanism.stop.kind = cmra_engine::model::scene::StopKind::Elastic;
         }
+        // A plate that moves at first contact has its greatest force there, or on its way back.
+        if index % 5 < 2 {
+            let factor = if index % 5 == 0 { -0.8 } else { 0.15 };
+            own.plate.velocity_m_s = factor * own.projectile.velocity_m_s;
+        }
         let found = run(own.clone());
         if !found.end.is_complete() {
             continue;

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::says;
+use crate::support::{json, number, says};
 
 /// Velocities uniform about the rigid limit of 232.295378 m/s in closed form: half perforate.
 #[test]
@@ -76,6 +76,26 @@ fn a_limit_velocity_has_the_error_of_the_model() {
     assert_eq!(none["outputs"].as_array().unwrap().len(), 1);
     let (_, error) = says("montecarlo", &["--model-bias", "-4%"], 2);
     assert!(error.contains("add --outputs limit_velocity_m_s"), "{error}");
+}
+
+/// The bias and the scatter of a limit are those of its class, which `limit` shows as an expected value and a band of 90 %: 1.645 to 2
+/// standard deviations to either side, for the scatter of a few rows is not known better.
+#[test]
+fn the_error_of_the_model_is_the_one_that_limit_shows() {
+    for shot in ["m2-ap-core --material rha", "m2-ap-core --material aa6082-t651"] {
+        let line = format!("--threat {shot} --set h=12mm --set mount=rigid");
+        let shot: Vec<&str> = line.split(' ').collect();
+        let limit = json("limit", &shot);
+        let limit = |key: &str| number(&limit[key]);
+        let more = ["--outputs", "limit_velocity_m_s", "--samples", "20"];
+        let found = json("montecarlo", &[&shot[..], &more].concat());
+        let error = |key: &str| number(&found["model_error"][key]);
+        let expected = limit("limit_velocity_m_s") / (1.0 + error("bias"));
+        assert!((expected / limit("expected_limit_m_s") - 1.0).abs() < 1e-12, "{line}");
+        let half = 0.5 * (limit("expected_high_m_s") / limit("expected_low_m_s")).ln();
+        let deviations = half / error("spread");
+        assert!((1.645..2.0).contains(&deviations), "{line}: {deviations}");
+    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::path::Path;
 use assert_cmd::Command;
 use serde_json::Value;
 
-use crate::support::{Done, in_folder};
+use crate::support::{Done, in_folder, says};
 
 /// Run `cmra sweep` with arguments split at spaces, in a directory.
 fn sweep(place: &Path, arguments: &str) -> Done {
@@ -415,4 +415,17 @@ fn the_page_shows_curves_and_maps() {
     insta::assert_snapshot!("sweep_page_two_axes", page(two));
     let three = "--over gamma=0.8..7:3 --over k=0..7.5e6:3 --over v_i=100..400:4";
     insta::assert_snapshot!("sweep_page_three_axes", page(three));
+}
+
+/// A model without depth has none on a rigid mount either, which is no perforation.
+#[test]
+fn a_missing_depth_is_not_reported_as_a_perforation() {
+    for mount in ["sprung", "rigid"] {
+        let set = format!("mount={mount}");
+        let scene = ["--set", "model=initial-velocity", "--set", &set];
+        for (command, more) in [("run", &[][..]), ("sweep", &["--over", "v_i=10..20:2"])] {
+            let page = says(command, &[&scene[..], more].concat(), 0).0;
+            assert!(!page.contains("perforate"), "{command} {mount}: {page}");
+        }
+    }
 }
