@@ -7,16 +7,16 @@ use crate::cli::progress::Extent;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::value_parsers::above_zero;
-use cmra_engine::model::design;
-use cmra_engine::model::library;
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{Scene, Wire};
 use cmra_engine::model::units::{Dimension, engineering};
 use cmra_engine::model::variables;
 use cmra_studies::report::page::{Block, Page};
 use cmra_studies::report::table::Table;
+use cmra_studies::study::design;
+use cmra_studies::study::envelope;
+use cmra_studies::study::library;
 
 #[derive(Debug, Args)]
 pub(super) struct DesignArguments {

@@ -7,11 +7,11 @@ use words::WORDS;
 
 use crate::cli::text::{self, hanging};
 use crate::cli::{CliError, output};
-use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::shortest;
 use cmra_engine::model::variables::{Group, VARIABLES, Variable, find, nearest, used_where};
 use cmra_studies::report::wrap::wrap;
+use cmra_studies::study::envelope::Check;
 use cmra_studies::study::quantities::{self, QUANTITIES, Quantity};
 
 mod words;

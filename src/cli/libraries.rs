@@ -6,8 +6,8 @@ use crate::cli::table::{TableArguments, choice};
 use crate::cli::{CliError, output, text};
 use crate::files::paths::Paths;
 use crate::files::{clean, library};
-use cmra_engine::model::library::{Entry, Library};
 use cmra_studies::report::page::Page;
+use cmra_studies::study::library::{Entry, Library};
 
 #[derive(Debug, Args)]
 pub(super) struct LibrariesArguments {

@@ -14,11 +14,11 @@ use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
 use crate::files::read;
 use crate::files::{clean, read_table};
-use cmra_engine::model::library::{Library, note_closure};
 use cmra_engine::model::mechanism::PowerLaw;
 use cmra_engine::model::scene::{Closure, Mechanism, PlateSize, Scene, SpringKind, Table};
 use cmra_engine::model::units::{self, Bare, Dimension, shortest};
 use cmra_engine::model::variables::{self, Variable, is_used, used_where};
+use cmra_studies::study::library::{Library, note_closure};
 
 const VELOCITY: &str = "projectile.velocity_m_s";
 

@@ -8,12 +8,12 @@ use clap::Args;
 use crate::cli::study::StudyArguments;
 use crate::cli::table::choice;
 use crate::cli::{CliError, text};
-use cmra_engine::model::library;
 use cmra_engine::model::run::Warning;
 use cmra_studies::report::stability as tables;
 use cmra_studies::report::stability::{
     battery_page, failures, map_page, scene_page, scene_table, table,
 };
+use cmra_studies::study::library;
 use cmra_studies::study::stability;
 use cmra_studies::study::stability::map::{self, Axis, FixedStep, StabilityMapRequest};
 use cmra_studies::study::stability::scene;

@@ -7,8 +7,8 @@
 //!
 //! # How one run goes from a scene to its result
 //!
-//! 1. A [`scene::Scene`] holds the values; [`variables::VARIABLES`] describes each of them, [`units`] reads and writes them, and
-//!    [`library`] fills in threats, materials and absorbers. [`simulate::simulate`] begins with [`variables::validate`] and takes
+//! 1. A [`scene::Scene`] holds the values; [`variables::VARIABLES`] describes each of them, and [`units`] reads and writes
+//!    them. [`simulate::simulate`] begins with [`variables::validate`] and takes
 //!    `impact::run` for every model but the listing of the thesis's Appendix, which has a scheme of its own
 //!    (`appendix::listing`).
 //! 2. `impact::equations` derives the constants of the impact once (masses, [`contact::Geometry`], [`contact_models`],
@@ -20,26 +20,23 @@
 //!    step (`numerics::collocation`, or another method of `impact::method`), whose result is a polynomial, and finds the first event on it
 //!    (`events`, `numerics::event_location`). A shortened step ends at the event, `modes` applies the transition, and `recorder` keeps
 //!    rows, work and peak forces.
-//! 5. `impact::results` builds the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings. [`run::envelope`] has the
-//!    range of validity of the model, and warns outside.
+//! 5. `impact::results` builds the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings.
 //! 6. The [`closed_form`] of a plate that is rigid or free, or else a second computation by another member of the family of methods,
 //!    gives [`estimate::set`] the error of each result.
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
 //! Sweeps and searches that need only the first contact use the [`contact_kernel`] if it applies to the scene, else the simulation.
 //! [`closed_form`] has solutions without time steps, [`appendix`] the time stepping of the thesis with its own equations,
-//! [`mod@reference`] stored reference results, [`design`] formulas without a simulation.
+//! and [`mod@reference`] stored reference results.
 
 pub mod appendix;
 pub mod closed_form;
 pub mod contact;
 pub mod contact_kernel;
 pub mod contact_models;
-pub mod design;
 pub mod estimate;
 pub mod impact;
 mod labelled_enum;
-pub mod library;
 pub mod mechanism;
 pub mod plug;
 mod power_law;

@@ -14,9 +14,9 @@ use crate::files::inputs;
 use crate::files::paths::Paths;
 use crate::files::read;
 use crate::files::reader::{self, Reader};
-use cmra_engine::model::library::{Entry, Library, Status};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::VARIABLES;
+use cmra_studies::study::library::{Entry, Library, Status};
 
 /// Keys of an entry besides those of a scene.
 const KEYS: [&str; 5] = ["title", "status", "source", "note", "warning"];
@@ -176,8 +176,8 @@ fn leaves(path: &str, value: &Spanned<DeValue<'_>>, keys: &mut Vec<String>) {
 mod tests {
 
     use super::*;
-    use cmra_engine::model::library::warnings;
     use cmra_engine::model::run::Warning;
+    use cmra_studies::study::library::warnings;
 
     #[test]
     fn bundled_entries_are_all_read_and_cite_a_source() {

@@ -5,8 +5,8 @@ use std::path::Path;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::{clean, inputs, library, preset, read};
-use cmra_engine::model::library::Library;
 use cmra_studies::study::context::Context;
+use cmra_studies::study::library::Library;
 use cmra_studies::study::measured::{self, FindEntry, Measurement};
 use cmra_studies::study::validation::{Row, compute, measurements};
 

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::files::session::Session;
-use cmra_engine::model::library::Entry;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::{self, VariableError};
+use cmra_studies::study::library::Entry;
 
 /// Reference of the scene: the preset from which it was loaded.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -86,7 +86,7 @@ fn shots_are_rows_and_absent_velocities_empty() {
 /// The caution about oblique limits agrees with `cmra validate`, at the measured angle that is nearest.
 #[test]
 fn valid_an_oblique_limit_says_how_far_it_is_off() {
-    use cmra_engine::model::run::envelope::OBLIQUE_LOW;
+    use cmra_studies::study::envelope::OBLIQUE_LOW;
     let report = cmra::files::validation::report(&mut Context::new(2, &mut never_cancel)).unwrap();
     let class = "AP core on aluminium, oblique";
     let rows: Vec<_> = report.iter().filter(|row| row.case.class == class).collect();

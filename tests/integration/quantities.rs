@@ -1,6 +1,6 @@
 //! The one table of quantities, the inputs by name, face and mass, and the envelope of validity, as a user meets them.
 
-use cmra_engine::model::run::envelope::Check;
+use cmra_studies::study::envelope::Check;
 use serde_json::Value;
 
 use crate::support::says;

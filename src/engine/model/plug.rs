@@ -1,6 +1,5 @@
 //! The plug that a blunt nose or a fragment shears out of a plate.
 //!
-//! Form of the law: R. F. Recht and T. W. Ipson, *Journal of Applied Mechanics* 30 (1963) 384-390: the plug is picked up in a perfectly
 //! Form of the law: R. F. Recht and T. W. Ipson, *Journal of Applied Mechanics* 30 (1963) 384-390: the projectile picks up the plug in a
 //! perfectly inelastic impact, then shears it off. Four constants are fitted to measured ballistic limits of the REL database (Ryan et al.,
 //! *Defence Technology* 2023; Mendeley Data, doi 10.17632/4f92y6jzzh.2, CC BY 4.0) and marked as fitted.
@@ -11,7 +10,7 @@
 
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2};
 
-use crate::model::scene::{Nose, Scene};
+use crate::model::scene::{ContactModel, Nose, Scene};
 use crate::model::strength::flow_stress_pa;
 use crate::numerics::smaller;
 
@@ -25,6 +24,22 @@ const ON_STEEL: f64 = SQRT_2;
 /// Pa.
 const ADIABATIC_LIGHT_PA: f64 = 95e6;
 const ADIABATIC_STEEL_PA: f64 = 250e6;
+
+/// Minimum h/D at which a plate shears more than it dishes under a rigid cylinder.
+pub const CYLINDER_FROM: f64 = 0.6;
+
+/// Returns plate thickness over projectile diameter.
+pub fn thickness_ratio(scene: &Scene) -> f64 {
+    0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m
+}
+
+/// Returns `true` if the plate dishes more than it shears under a rigid cylinder. The law of the plug is then too low: a stopped shot is
+/// stopped, but perforations and residual velocities are not reliable.
+pub fn is_law_low(scene: &Scene) -> bool {
+    scene.contact.model == ContactModel::Hydrodynamic
+        && scene.projectile.nose == Nose::Blunt
+        && thickness_ratio(scene) < CYLINDER_FROM
+}
 
 /// Metals with a plug law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,11 +5,11 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::labelled_enum::labelled_enum;
+use crate::model::plug;
 use crate::model::scene::{Criterion, GRAVITY_M_S2, Projectile, Scene};
 use crate::numerics::larger;
 
 pub(in crate::model) mod check;
-pub mod envelope;
 mod error_estimate;
 mod outcome;
 mod result;
@@ -17,7 +17,7 @@ mod settings;
 mod stack_run;
 mod warning;
 
-pub use check::Warning;
+pub use check::{Check, Direction, Warning};
 pub use error_estimate::{ErrorEstimate, EstimateBasis, LeftOut};
 pub use outcome::{AtLeast, EndReason, Outcome};
 pub use result::RunResult;
@@ -356,7 +356,7 @@ impl Run {
         let base = self.plates().last().filter(|_| is_in_base);
         let by_protrusion = self.scene.target.criterion == Criterion::Protrusion;
         match base.filter(|run| by_protrusion && run.protrusion_m().is_some()) {
-            Some(base) if envelope::is_law_low(&base.scene) => Outcome::Unmeasured,
+            Some(base) if plug::is_law_low(&base.scene) => Outcome::Unmeasured,
             Some(_) => Outcome::Perforated,
             None => outcome,
         }

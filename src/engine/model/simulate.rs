@@ -6,9 +6,10 @@ use std::sync::Arc;
 
 use crate::model::appendix::listing;
 use crate::model::impact;
+use crate::model::plug;
 use crate::model::run::{
     AtLeast, ContactMode, Departure, EndReason, ErrorEstimate, MechanismLoad, Outcome, Penetration,
-    Run, RunWarning, WORK_MAX, envelope,
+    Run, RunWarning, WORK_MAX,
 };
 pub use crate::model::run::{Observer, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
@@ -63,7 +64,7 @@ fn shoot(
 
 /// Removes outcome, residual velocity and results that depend on them, if the law underestimates the limit and the run perforates.
 fn withhold_perforation(run: &mut Run) {
-    if !envelope::is_law_low(&run.scene) {
+    if !plug::is_law_low(&run.scene) {
         return;
     }
     run.warnings.retain(|warning| *warning != RunWarning::NoBaseline);

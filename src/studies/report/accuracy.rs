@@ -13,7 +13,7 @@ use crate::study::accuracy::{
     AccuracyReport, Cheapest, Compared, MethodReport, OmissionGain, Point,
 };
 use crate::study::context::Reach;
-use cmra_engine::model::library;
+use crate::study::library;
 use cmra_engine::model::run::{Outcome, Warning};
 use cmra_engine::model::units::engineering;
 

@@ -13,12 +13,12 @@ use crate::study::compare::{
     Absence, Candidate, ComparisonReport, Entry, Hardware, SizedArmour, THINNEST_M, Verdict,
     is_equal,
 };
+use crate::study::envelope;
+use crate::study::library;
 use crate::study::limit::RANGE_M_S;
 use crate::study::quantities::{Quantity, find};
-use cmra_engine::model::library;
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{PlateSize, Scene};
 use cmra_engine::model::units::{fixed_significant, significant, velocity};
 

@@ -5,11 +5,11 @@ use serde_json::{Value, json};
 use crate::report::page::Page;
 use crate::report::table::{Cells, Table};
 use crate::study::context::Reach;
+use crate::study::library;
 use crate::study::search::front::{FrontReport, MissingObjective, Objective, STEPS_MAX};
 use crate::study::sweep::{Axis, PointOutcome, Spacing};
 use crate::study::validity;
 use crate::study::verdict::Verdict;
-use cmra_engine::model::library;
 use cmra_engine::model::run::{Outcome, Warning};
 use cmra_engine::model::units::{significant, velocity};
 

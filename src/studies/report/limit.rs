@@ -8,6 +8,7 @@ use crate::report::page::Page;
 use crate::report::svg::Picture;
 use crate::report::table::Table;
 use crate::report::verdict;
+use crate::study::envelope;
 use crate::study::limit::residual_law::ResidualLaw;
 use crate::study::limit::{
     Closures, Limit, LimitReport, RANGE_M_S, Shot, is_stopped_by_every_closure,
@@ -17,7 +18,7 @@ use crate::study::validity;
 use crate::study::verdict::{Decision, Verdict};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::run::{Outcome, Run, envelope};
+use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{engineering, fixed_significant, significant, velocity};
 

@@ -3,9 +3,10 @@
 use serde_json::{Map, Value, json};
 
 use crate::report::table::Table;
+use crate::study::envelope;
 use crate::study::limit;
 use crate::study::verdict::{Decision, Expected, Verdict};
-use cmra_engine::model::run::{Outcome, Run, envelope};
+use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{fixed_significant, velocity};
 

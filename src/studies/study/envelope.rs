@@ -4,18 +4,20 @@
 //! scene, [`of_run`] also those that need a run (stop, spring, interface). Simulations do not evaluate these checks, so sweeps and searches
 //! have no extra cost.
 
-pub use crate::model::run::check::{Check, Direction};
+use cmra_engine::model::plug::CYLINDER_FROM;
+pub use cmra_engine::model::plug::{is_law_low, thickness_ratio};
+pub use cmra_engine::model::run::{Check, Direction};
 
-use crate::model::design::critical_obliquity_deg;
-use crate::model::library;
-use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::run::{EventKind, Run, RunWarning, Warning};
-use crate::model::scene::{
+use crate::study::design::critical_obliquity_deg;
+use crate::study::library;
+use Direction::{Conservative, Unconservative, Unknown};
+use cmra_engine::model::mechanism::{Inertia, Mechanism};
+use cmra_engine::model::run::{EventKind, Run, RunWarning, Warning};
+use cmra_engine::model::scene::{
     Closure, ContactModel, Core, InterfaceLaw, Nose, OwnMass, Projectile, Scene, Target,
 };
-use crate::model::units::{engineering, significant};
-use crate::model::variables;
-use Direction::{Conservative, Unconservative, Unknown};
+use cmra_engine::model::units::{engineering, significant};
+use cmra_engine::model::variables;
 
 /// Plate thickness h/D up to which the model is validated with dishing, and above which without. The text says "about" within a tenth of
 /// it.
@@ -30,8 +32,6 @@ const METAL_PA: f64 = 1e8;
 /// whole.
 const BREAKS_PA: f64 = 1.25e9;
 const BREAKS_BELOW: f64 = 0.7;
-/// Minimum h/D at which a plate shears more than it dishes under a rigid cylinder.
-const CYLINDER_FROM: f64 = 0.6;
 /// Strength of a hardened steel projectile, Pa, and the fraction of it above which the projectile may deform.
 pub const PROJECTILE_STRENGTH_PA: f64 = 2e9;
 const RIGID_UP_TO: f64 = 0.5;
@@ -91,19 +91,6 @@ impl From<&Breach> for Warning {
 pub fn equivalent_yield_pa(scene: &Scene) -> f64 {
     let is_given = scene.closure() == Closure::Given;
     if is_given { 0.5 * scene.flow_strength_pa() } else { scene.target.yield_pa }
-}
-
-/// Returns plate thickness over projectile diameter.
-pub fn thickness_ratio(scene: &Scene) -> f64 {
-    0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m
-}
-
-/// Returns `true` if the plate dishes more than it shears under a rigid cylinder. The law of the plug is then too low: a stopped shot is
-/// stopped, but perforations and residual velocities are not reliable.
-pub fn is_law_low(scene: &Scene) -> bool {
-    scene.contact.model == ContactModel::Hydrodynamic
-        && scene.projectile.nose == Nose::Blunt
-        && thickness_ratio(scene) < CYLINDER_FROM
 }
 
 /// Returns the pressure on the nose at impact, S + c v², over the strength of hardened steel.
@@ -388,7 +375,7 @@ fn spring_mass(run: &Run) -> Option<(f64, (String, String))> {
     let spring = &scene.mechanism.spring;
     let least_kg = scene.mechanism.min_spring_kg(run.mechanism.stored_j);
     let (omitted_kg, is_least) = own.omitted_kg(least_kg);
-    let over_plate = spring.law().moving_part(spring) * omitted_kg / scene.plate_mass_kg();
+    let over_plate = spring.moving_part() * omitted_kg / scene.plate_mass_kg();
     let is_of_second = spring.own_mass == OwnMass::Counted;
     let cure =
         if is_of_second { "add the second spring's to m_spring" } else { "set own_mass=counted" };
@@ -458,8 +445,16 @@ pub fn remarks(run: &Run) -> Vec<Warning> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scene::Layer;
-    use crate::model::simulate::bare_run as run;
+    use crate::study::plain_run;
+    use cmra_engine::model::scene::Layer;
+
+    fn run(scene: &Scene) -> Run {
+        plain_run(scene).expect("a valid scene")
+    }
+
+    fn with(changes: &str) -> Scene {
+        variables::changed(Scene::default(), changes).expect("values the variables take")
+    }
 
     /// Returns the text of the breach of a check; empty if there is none.
     fn words(found: &[Breach], check: Check) -> String {
@@ -471,7 +466,7 @@ mod tests {
     /// spring.
     fn inside(changes: &str) -> Scene {
         let own = "m_p=0.197 R=0.01 v_i=200 h=0.012 rho=7850 face=0.2 k=0";
-        variables::scene_with(&format!("{own} {changes}"))
+        with(&format!("{own} {changes}"))
     }
 
     #[test]
@@ -530,7 +525,7 @@ mod tests {
     #[test]
     fn a_run_warns_of_spring_stop_and_interface() {
         assert_eq!(words(&of_run(&run(&inside("k=1e6"))), Check::Spring), "");
-        let of = |changes, check| words(&of_run(&run(&variables::scene_with(changes))), check);
+        let of = |changes, check| words(&of_run(&run(&with(changes))), check);
         // A single coil that acts beside a beam is enough; a spring without force does not count.
         for (pairs, surges) in [
             ("k=1e5 combine=parallel k_2=0", true),
@@ -583,7 +578,7 @@ mod tests {
             ("m_spring=8g", &[]),
             ("e_spring=19460", &[]),
         ] {
-            let found = words(&of_run(&run(&variables::scene_with(changes))), Check::SpringMass);
+            let found = words(&of_run(&run(&with(changes))), Check::SpringMass);
             assert_eq!(found.is_empty(), texts.is_empty(), "{changes}: {found}");
             assert!(texts.iter().all(|text| found.contains(text)), "{changes}: {found}");
         }

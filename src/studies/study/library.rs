@@ -2,18 +2,22 @@
 
 use std::path::PathBuf;
 
-use crate::model::labelled_enum::labelled_enum;
-use crate::model::run::Warning;
-use crate::model::scene::{Closure, DragSource, Nose, Scene, Target};
-use crate::model::variables::{self, Value, VariableError};
+use cmra_engine::model::run::Warning;
+use cmra_engine::model::scene::{Closure, DragSource, Nose, Scene, Target};
+use cmra_engine::model::variables::{self, Value, VariableError};
 
-labelled_enum! {
+enumeration! {
     /// Library, named after its file.
-    pub enum Library: file {
-        Threats = "threats",
-        Materials = "materials",
-        Absorbers = "absorbers",
+    pub enum Library in LibraryRow {
+        /// Name of the file.
+        file: &'static str,
     }
+    /// Projectiles.
+    Threats { file: "threats" }
+    /// Metals of plates.
+    Materials { file: "materials" }
+    /// Springs and absorbers.
+    Absorbers { file: "absorbers" }
 }
 
 impl Library {
@@ -37,14 +41,18 @@ impl Library {
     }
 }
 
-labelled_enum! {
-    /// How well the values of an entry are known.
-    pub enum Status: word {
-        Measured = "measured",
-        Standard = "standard",
-        /// Typical of its kind, or computed from a published formula.
-        Typical = "typical",
+enumeration! {
+    /// Evidence for the values of an entry.
+    pub enum Status in StatusRow {
+        /// Keyword in files.
+        word: &'static str,
     }
+    /// Measured.
+    Measured { word: "measured" }
+    /// Given by a standard.
+    Standard { word: "standard" }
+    /// Typical of its kind, or computed from a published formula.
+    Typical { word: "typical" }
 }
 
 /// Entry of a library.

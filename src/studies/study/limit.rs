@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use crate::study::context::{Context, never_cancel};
-use cmra_engine::model::run::envelope::oblique_error;
+use crate::study::envelope::oblique_error;
 use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::fixed_significant;

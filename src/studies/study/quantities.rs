@@ -4,13 +4,14 @@
 //! therefore has the same meaning everywhere, and a new quantity is one row. The source of a quantity determines its cost; quantities that
 //! are not requested are not computed. The module does not depend on files or the terminal. The caller measures the run time.
 
+use crate::study::envelope;
 use crate::study::error::QuantityError;
 use crate::study::first_contact::FirstContact;
 use crate::study::load::{impulse_n_s, peak_n};
 use crate::study::measured::class::Key;
 use crate::study::verdict::Expected;
 use cmra_engine::model::mechanism::load;
-use cmra_engine::model::run::{Run, RunResult, envelope};
+use cmra_engine::model::run::{Run, RunResult};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{self, Bare, Dimension, engineering};
 

@@ -6,6 +6,7 @@
 use std::fmt;
 
 use crate::study::context::Context;
+use crate::study::envelope::Check;
 use crate::study::option;
 use crate::study::outcome::PointOutcome;
 use crate::study::quantities::{Quantity, named};
@@ -15,7 +16,6 @@ use crate::study::sweep::{Axis, Plan, Point, Spacing, StudyError};
 use crate::study::validity;
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables::{self, Allowed, Variable};
 use cmra_engine::numerics::{larger, smaller};

@@ -15,10 +15,10 @@ pub(in crate::study) mod kernel;
 use std::sync::Arc;
 
 pub use crate::study::error::StudyError;
+use crate::study::library;
 pub use crate::study::outcome::{Failure, PointOutcome};
 use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
-use cmra_engine::model::library;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units;
 use cmra_engine::model::variables;

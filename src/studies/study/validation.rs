@@ -7,10 +7,10 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
+use crate::study::envelope::{self, Check};
 use crate::study::quantities::{Quantity, find};
 use crate::study::{changed, limit, plain_run, run_with};
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::run::envelope::{self, Check};
 use cmra_engine::model::scene::{Closure, Scene};
 use cmra_engine::model::simulate::Settings;
 use cmra_engine::model::variables;

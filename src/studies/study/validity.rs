@@ -3,12 +3,12 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::study::envelope::{self, Breach, Check, Direction};
+use crate::study::library;
 use crate::study::quantities::{Quantity, QuantityFlag, Search};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Plan, PointOutcome};
 use crate::study::verdict::Verdict;
-use cmra_engine::model::library;
-use cmra_engine::model::run::envelope::{self, Breach, Check, Direction};
 use cmra_engine::model::run::{EndReason, Run, Warning};
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};

@@ -12,10 +12,10 @@ use crate::tui::preset::{LabelledScene, ReferencePreset};
 use crate::tui::widgets::cycled;
 use crate::tui::widgets::value_steps::{self, StepKey};
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::run::envelope;
 use cmra_engine::model::scene::{Scene, SpringKind, Table};
 use cmra_engine::model::units::Bare;
 use cmra_engine::model::variables::{self, Kind, VARIABLES, Value, Variable};
+use cmra_studies::study::envelope;
 
 /// Sets a variable. `stepping` merges the edit with the preceding steps of the same variable.
 pub(crate) fn set(

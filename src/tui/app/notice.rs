@@ -4,9 +4,9 @@ use cmra_studies::enumeration;
 
 use crate::tui::app::App;
 use crate::tui::theme::Role;
-use cmra_engine::model::run::envelope::{self, Breach, Check};
 use cmra_engine::model::run::{Run, RunWarning};
 use cmra_engine::model::units::{fixed_significant, scientific};
+use cmra_studies::study::envelope::{self, Breach, Check};
 
 enumeration! {
     pub enum Severity in SeverityRow {

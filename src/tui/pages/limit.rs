@@ -20,12 +20,12 @@ use crate::tui::widgets::text::fitting;
 use crate::worker::studies::{
     EfficiencyMapStudy, LimitSearch, MassComparison, StudyRequest, V50Study,
 };
-use cmra_engine::model::run::envelope;
 use cmra_studies::report::compare::{short_verdict, where_it_pays};
 use cmra_studies::report::limit::headlines;
 use cmra_studies::report::{self, limit};
 use cmra_studies::study::compare::{self, Candidate};
 use cmra_studies::study::context::Progress;
+use cmra_studies::study::envelope;
 use cmra_studies::study::limit::COMMAND;
 use cmra_studies::study::monte_carlo;
 use cmra_studies::study::validity;

@@ -8,11 +8,11 @@ use crate::tui::pages::numerics::accuracy::accuracy_status;
 use crate::tui::pages::numerics::stability::{battery_readout, map_readout, stability_status};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs::name_of;
-use cmra_engine::model::library;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::variables;
 use cmra_studies::report::{accuracy as accuracy_table, stability as stability_table};
 use cmra_studies::study::accuracy::method::Method;
+use cmra_studies::study::library;
 
 pub use state::{ACCURACY, STABILITY, STIFF_SCENES};
 

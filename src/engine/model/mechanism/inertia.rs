@@ -44,7 +44,7 @@ impl Inertia {
         let rotation_kg = spring.law().rotation_kg();
         Self {
             rotation_kg,
-            added_kg: rotation_kg + spring.law().moving_part(spring) * counted_kg,
+            added_kg: rotation_kg + spring.moving_part() * counted_kg,
             // The mass of the second spring is unknown.
             spring_mass_kg: own_kg.filter(|_| scene.mechanism.second_law().is_absent()),
             is_uncounted: is_counted && own_kg.is_none() && !spring.is_absent(),
@@ -83,7 +83,7 @@ fn coil_kg(scene: &Scene) -> Option<f64> {
         m_p * scene.projectile.velocity_m_s * cos + plate_kg * scene.plate_velocity_m_s();
     let bodies_kg = m_p * cos * cos + plate_kg;
     // m e = U_cocked + momentum²/(2 (bodies + part m)) is quadratic in m.
-    let part = spring.law().moving_part(spring);
+    let part = spring.moving_part();
     let half = 0.5 * (bodies_kg * energy_j_kg - part * cocked_j);
     let product = bodies_kg * cocked_j + 0.5 * momentum * momentum;
     let root = (half * half + part * energy_j_kg * product).sqrt();

@@ -184,6 +184,11 @@ impl Spring {
         self.law().power_law(self)
     }
 
+    /// Returns the fraction of the mass that moves with the end, by the kinetic energy of the static shape.
+    pub fn moving_part(&self) -> f64 {
+        self.law().moving_part(self)
+    }
+
     /// Returns the displacement at which the spring yields, m; `None` if another limit comes first, or without bending.
     pub fn yields_at_m(&self) -> Option<f64> {
         self.law().yields_at_m(self)

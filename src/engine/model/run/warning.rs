@@ -145,7 +145,7 @@ fn meets_next(plate: usize, travel_m: f64, gap_m: f64) -> (String, String) {
 
 impl RunWarning {
     /// Value and meaning of the sentence, the meaning from its punctuation mark on.
-    pub(super) fn sentence(&self) -> (String, String) {
+    pub fn sentence(&self) -> (String, String) {
         let owned = |(value, meaning): (&str, &str)| (value.to_owned(), meaning.to_owned());
         match *self {
             Self::InterfacePush { ratio, t_s } => pushes(ratio, t_s),

@@ -10,9 +10,10 @@ use crate::report::svg::Picture;
 use crate::report::table::Cells;
 use crate::report::traces::Traces;
 use crate::report::verdict;
+use crate::study::envelope;
 use crate::study::quantities;
 use cmra_engine::model::mechanism::Mechanism;
-use cmra_engine::model::run::{EstimateBasis, Event, Outcome, Run, envelope};
+use cmra_engine::model::run::{EstimateBasis, Event, Outcome, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{self, engineering, fixed_significant};
 

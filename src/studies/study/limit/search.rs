@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::study::context::Context;
+use crate::study::envelope::{self, Check};
 use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::closures::jump;
 use crate::study::limit::shot_outcome::{BracketEnd, ShotOutcome, decide, edge};
@@ -10,7 +11,6 @@ use crate::study::limit::{
     ABOVE, BELOW, BESIDE_LIMIT, CURVE, Closures, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
     closed_form,
 };
-use cmra_engine::model::run::envelope::{self, Check};
 use cmra_engine::model::run::{EndReason, Observer, Outcome, Run, RunWarning};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};

@@ -1,7 +1,7 @@
 //! Classes of measured limits: bias and scatter of the law, computed from a table, and the expected limit.
 
+use crate::study::envelope::thickness_ratio;
 use crate::study::statistics::student_quantile;
-use cmra_engine::model::run::envelope::thickness_ratio;
 use cmra_engine::model::scene::{Closure, ContactModel, Core, Criterion, Nose, Scene};
 use cmra_engine::numerics::larger;
 

@@ -2,10 +2,10 @@
 
 use std::sync::LazyLock;
 
+use crate::study::envelope::thickness_ratio;
 use crate::study::limit;
 use crate::study::measured::class::{Class, Key, Sample, classes};
 use crate::study::measured::table::{FindEntry, Measurement, read};
-use cmra_engine::model::run::envelope::thickness_ratio;
 
 /// Built-in table of measured limits, as CSV.
 const FILE: &str = include_str!("../../data/limits.csv");

@@ -1,7 +1,7 @@
 //! Measurements as a CSV table. Each row is a shot: its inputs as for `--set`, and the measured quantities.
 
 use crate::study::csv::Csv;
-use cmra_engine::model::library::{Entry, Library};
+use crate::study::library::{Entry, Library};
 use cmra_engine::model::scene::{Closure, Core, Mount, Scene};
 use cmra_engine::model::units::{self, Bare, Dimension};
 use cmra_engine::model::variables::{self, Kind, Value, Variable};

@@ -10,6 +10,7 @@ use std::fmt;
 use std::ops::RangeInclusive;
 
 use crate::study::context::Context;
+use crate::study::envelope::Check;
 use crate::study::option;
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::sampling::{self, Evaluation, Sample};
@@ -20,7 +21,6 @@ use crate::study::sweep::{Axis, Failure, Plan, Point, PointOutcome, StudyError};
 use crate::study::validity::{self, DesignValidity, Plastic};
 use crate::study::verdict::Verdict;
 use cmra_engine::model::run::EndReason;
-use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::larger;
 pub use constraint::Constraint;

@@ -9,10 +9,10 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 use crate::study::context::Context;
+use crate::study::envelope::Check;
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::{Axis, Plan, PointOutcome, StudyError};
 use crate::study::validity::DesignValidity;
-use cmra_engine::model::run::envelope::Check;
 use cmra_engine::model::scene::{Criterion, InterfaceLaw, Scene};
 use cmra_engine::model::units::shortest;
 use roots::{Crossing, RootScan};

@@ -1,7 +1,7 @@
 //! Default variables of a search, with their ranges.
 
+use crate::study::envelope::FACE_LEAST;
 use crate::study::sweep::{Axis, Spacing, StudyError};
-use cmra_engine::model::run::envelope::FACE_LEAST;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::significant;
 use cmra_engine::model::variables::{self, VARIABLES, Variable};

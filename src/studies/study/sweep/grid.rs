@@ -7,11 +7,11 @@ use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 
 use crate::study::context::{Context, Work};
+use crate::study::envelope::Check;
 use crate::study::outcome::OutcomeCounts;
 use crate::study::sweep::{Evaluator, Plan, Point, PointOutcome, StudyError};
 use crate::study::validity;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::run::envelope::Check;
 
 /// Maximum number of points of a grid: some tens of megabytes.
 pub const GRID_MAX: u64 = 1_000_000;

@@ -6,9 +6,9 @@ use crate::tui::widgets::table::{Grid, NAME_LEAST};
 use crate::tui::widgets::text::broken;
 use crate::worker::studies::SearchAnswer;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::run::envelope::Check;
 use cmra_studies::report::Remark;
 use cmra_studies::report::table::Cells;
+use cmra_studies::study::envelope::Check;
 use cmra_studies::study::sweep;
 
 /// Presentation of a study's result on its page.

@@ -2,10 +2,10 @@
 
 use super::*;
 use crate::study::context::never_cancel;
+use crate::study::envelope::{self, Direction};
 use crate::study::run_with;
 use crate::study::testing::{axes, scene};
 use cmra_engine::model::run::RunWarning;
-use cmra_engine::model::run::envelope::{self, Direction};
 use cmra_engine::model::simulate::Settings;
 
 fn request(list: &[(&str, f64, f64)], minimise: &[&str]) -> Request {

@@ -6,11 +6,12 @@ use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::state::Window;
 use crate::tui::widgets::text::fitting;
 use crate::tui::widgets::value_steps::engineering;
-use cmra_engine::model::run::{Outcome, Run, RunWarning, envelope};
+use cmra_engine::model::run::{Outcome, Run, RunWarning};
 use cmra_engine::model::variables::VARIABLES;
 use cmra_studies::report::figures::run::contact_window_s;
 use cmra_studies::report::run::page::{self, of_first};
 use cmra_studies::report::series::Channel;
+use cmra_studies::study::envelope;
 
 /// Returns the name of a chart with the number of the current run, for this width.
 pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
