@@ -11,6 +11,7 @@ use std::sync::Arc;
 use crate::model::closed_form;
 use crate::model::estimate;
 use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::resolution::{SECOND_FACTOR, STEP_TOLERANCE_FACTOR};
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, Scene};
@@ -34,6 +35,7 @@ mod parameters;
 mod plate_lock;
 mod recorder;
 mod reduced_system;
+mod resolution;
 mod results;
 mod rule;
 mod run;
@@ -47,16 +49,14 @@ mod zero_passage;
 /// Relative tolerance of event location for methods with fixed steps.
 const STEPPED: f64 = 1e-12;
 
-/// Tolerance of the steps of the second computation over that of the first: its own error is a hundredth of their difference. Towards the
-/// zeros of laws that are not analytic there both take equal steps, of which its two stages more leave less than that; a tighter tolerance
-/// would only add steps.
-const TIGHTER: f64 = 1e-2;
-const TIGHTER_AT_ZEROS: f64 = 1e-1;
+/// Tolerance of the steps of the second computation, relative to that of the first, for laws that are not analytic at zero. Towards these
+/// zeros both computations take equal steps, and two stages more leave less than a hundredth of the error; a tighter tolerance would only
+/// add steps.
+const SECOND_FACTOR_AT_ZEROS: f64 = 1e-1;
 /// Least tolerance of the steps of the second computation: below it there is only rounding.
 const MIN_SECOND_TOLERANCE: f64 = 1e-14;
 
-/// Error of a step per tolerance of a run: its steps' errors add up, and grow a little. Below the least there is only rounding.
-const STEP_TOLERANCE_FACTOR: f64 = 1e-2;
+/// Least tolerance of the steps of a run: below it there is only rounding.
 const MIN_STEP_TOLERANCE: f64 = 1e-13;
 
 /// Greatest ratio of the work of a run and of its second computation together to that of a run alone. A second computation takes about 1.5
@@ -96,7 +96,7 @@ fn run_by(
             }
         }
         IntegrationMethod::Second(first) => {
-            let fraction = if is_analytic { TIGHTER } else { TIGHTER_AT_ZEROS };
+            let fraction = if is_analytic { SECOND_FACTOR } else { SECOND_FACTOR_AT_ZEROS };
             let tolerance = larger(fraction * first, MIN_SECOND_TOLERANCE);
             let setup = setup(tolerance);
             if is_analytic {

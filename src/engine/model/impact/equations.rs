@@ -14,8 +14,6 @@ use crate::numerics::{larger, smaller};
 const VELOCITY_RESOLUTION: f64 = 1e-18;
 /// Relative rounding error of a force. Areas of oblique sections are differences of terms; 1e-13 is below the step tolerance.
 const FORCE_ROUNDING: f64 = 1e-13;
-/// Rounding error, relative to the operands of a difference that is zero.
-const ROUNDING: f64 = f64::EPSILON;
 
 /// Equations of motion in a mode.
 #[derive(Clone, Copy, Debug)]
@@ -146,9 +144,9 @@ impl Equations<'_> {
         let (k, b) = if self.mode.is_pressed { (stiffness_n_m, damping_n_s_m) } else { (0.0, 0.0) };
         let (x_m, w_m_s) = (self.displacement_m(x_m), w_m_s);
         let ([_, x_least_m], [_, w_least_m_s]) = self.least_sizes();
-        let x_least_m = ROUNDING * larger(x_least_m, self.mode.origin_m.abs());
+        let x_least_m = f64::EPSILON * larger(x_least_m, self.mode.origin_m.abs());
         let x_m = larger(x_m.abs(), x_least_m).copysign(x_m);
-        let w_m_s = larger(w_m_s.abs(), ROUNDING * w_least_m_s);
+        let w_m_s = larger(w_m_s.abs(), f64::EPSILON * w_least_m_s);
         let by_speed = self.damper_slope_n_s_m(w_m_s);
         (self.mode.spring.tangent_in(self.mode.stretch, x_m) + k, by_speed + b)
     }
@@ -239,7 +237,7 @@ impl Equations<'_> {
             // The spring is compressed by the difference of travel and dent.
             ContactLaw::Lumped(_) if self.is_touching() => {
                 let (by_travel, by_slip) = self.contact_slopes(state.q_m, state.u_m_s);
-                ROUNDING * (by_travel * state.q_m.abs() + by_slip * state.u_m_s.abs())
+                f64::EPSILON * (by_travel * state.q_m.abs() + by_slip * state.u_m_s.abs())
             }
             _ => FORCE_ROUNDING * self.contact_n(state).abs(),
         }

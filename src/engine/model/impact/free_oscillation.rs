@@ -13,20 +13,13 @@
 use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::PlateConstraint;
+use crate::model::impact::resolution::FIRST_ORDER;
 use crate::model::impact::state::State;
 use crate::numerics::collocation::FILTER;
 use crate::numerics::{larger, smaller};
 
 /// Phase in a step, rad, above which the method damps the oscillation: a little more than its number of stages.
 const RESOLVED_RAD: f64 = 12.0;
-/// Amplitude after the start from rest of a linear spring, relative to the displacement at which the spring balances the force.
-const START_AMPLITUDE: f64 = 0.408_248_290_463_863;
-/// Amplitude after a corner, relative to the shift of the balance within one radian.
-const CORNER_AMPLITUDE: f64 = 2.0;
-/// Part of the contact force up to which the spring's may differ from it in an oscillation about the balance of both.
-const OFF_BALANCE: f64 = 0.1;
-/// Exponent of the spring at which, from rest, the balance is the exact solution.
-const SELF_SIMILAR: f64 = 1.0 / 3.0;
 
 /// Oscillation as the square root of its action: amplitude times the square root of the angular frequency, m/s^(1/2).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -90,7 +83,7 @@ impl Equations<'_> {
     fn is_balanced(&self, state: &State) -> bool {
         let push_n = self.contact_n(state) * self.setup.cos;
         let spring_n = self.mode.spring.force(self.displacement_m(state.x_m));
-        self.is_touching() && (spring_n - push_n).abs() < OFF_BALANCE * push_n.abs()
+        self.is_touching() && (spring_n - push_n).abs() < FIRST_ORDER * push_n.abs()
     }
 
     /// Returns the oscillation that a step can damp: none in a few radians; in more, what the filtered error estimate of the step accepts.
@@ -108,7 +101,9 @@ impl Equations<'_> {
     /// Returns the oscillation of a plate that a contact force proportional to time pushes from rest against its spring.
     fn excited_at_start(&self) -> f64 {
         let setup = self.setup;
-        let Some(law) = setup.spring.power().filter(|law| law.exponent > SELF_SIMILAR) else {
+        // With this exponent the balance is the exact solution.
+        let self_similar = 1.0 / 3.0;
+        let Some(law) = setup.spring.power().filter(|law| law.exponent > self_similar) else {
             return 0.0;
         };
         let state = State { u_m_s: setup.reference.velocity_m_s, ..State::default() };
@@ -119,8 +114,10 @@ impl Equations<'_> {
         // x = F' t³/6 m and k x^n = F' t.
         let rate_n_s = self.rate_n_s(&state);
         let part = (6.0 * setup.mass.plate_kg / rate_n_s).cbrt() * rate_n_s / law.coefficient;
-        let balanced_m = part.powf(1.0 / (law.exponent - SELF_SIMILAR));
-        START_AMPLITUDE * balanced_m * self.radians_per_s(balanced_m).sqrt()
+        let balanced_m = part.powf(1.0 / (law.exponent - self_similar));
+        // Amplitude on a linear spring, relative to the displacement of the balance.
+        let amplitude = (1.0_f64 / 6.0).sqrt();
+        amplitude * balanced_m * self.radians_per_s(balanced_m).sqrt()
     }
 
     /// Returns the oscillation that the corner between the area law of another mode and the present one excites.
@@ -136,8 +133,8 @@ impl Equations<'_> {
             let there = State { q_m, ..*state };
             (self.contact_n(&there) - before.contact_n(&there)).abs() * self.setup.cos / slope_n_m
         };
-        let excited =
-            CORNER_AMPLITUDE * larger(excited_m(1.0), excited_m(-1.0)) * radians_per_s.sqrt();
+        // At most twice the shift of the balance within one radian.
+        let excited = 2.0 * larger(excited_m(1.0), excited_m(-1.0)) * radians_per_s.sqrt();
         if excited.is_finite() { excited } else { 0.0 }
     }
 }

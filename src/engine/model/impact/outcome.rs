@@ -25,9 +25,6 @@ const PARTING: f64 = 1e-10;
 /// scales as excess^1.5, the neglected drag as its square, excess^3.
 const LAST_SLIPS: f64 = 2e-3;
 
-/// Safety factor of the bound on slips: friction dissipates energy over half of the free distance only. The last slip may take the rest.
-const SLIP_RESERVE: f64 = 2.0;
-
 impl Equations<'_> {
     /// Returns the energy of the plate (with the projectile if fused), the spring and the elastic stop, J.
     pub(super) fn energy_j(&self, state: &State) -> f64 {
@@ -272,7 +269,8 @@ impl Equations<'_> {
         let way_m = smaller(q_m, larger(mode.deepest_m - q_m, may_deepen_m));
         let area = smaller(geometry.area_m2(q_m - way_m), geometry.area_m2(q_m + way_m));
         let friction_n = smaller(setup.interface.grip, 1.0) * setup.strength_pa * area;
-        let left_j = energy_j - friction_n * way_m / SLIP_RESERVE;
+        // Half: the last slip may take the rest.
+        let left_j = energy_j - 0.5 * friction_n * way_m;
         let is_off_stop = !self.meets_rigid_stop(state, energy_j);
         let [peak_push_n, peak_pull_n] = self.peak_load_bounds_n(state, larger(left_j, 0.0));
         way_m > 0.0 && is_off_stop && larger(peak_push_n, peak_pull_n) <= friction_n

@@ -12,6 +12,9 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::PlateConstraint;
 use crate::model::impact::parameters::{ImpactParameters, Masses};
+use crate::model::impact::resolution::{
+    FIRST_ORDER, NEGLIGIBLE_AT_ZERO, SECOND_FACTOR, STEP_TOLERANCE_FACTOR,
+};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::numerics::smaller;
@@ -22,20 +25,10 @@ const FIRST_MOMENT: f64 = 1e-6;
 /// Minimum ratio of the displacement with inertia alone to the quasi-static displacement, for a plate to count as quasi-static. Inertia
 /// then changes the displacement by about the inverse of this ratio.
 const QUASI_STATIC_RATIO: f64 = 1e2;
-/// Relative threshold for a negligible displacement (of the tip radius), momentum or energy at a singular zero: 1e-4 of the default
-/// tolerance.
-pub(super) const NEGLIGIBLE_AT_ZERO: f64 = 1e-13;
 /// Displacement at which a plate may lock again, relative to that at which it unlocks; the hysteresis avoids an immediate unlock.
 const RELOCK_FRACTION: f64 = 0.5;
-/// Ratio of the displacement at which a relocked plate unlocks to the step tolerance times the depth (at most the tip radius). A run has the
-/// same ratio of its tolerance to that of its steps.
-const RELOCK_TOLERANCE_FACTOR: f64 = 1e2;
-/// Maximum relative size of the correction for inertia and damping; a larger correction is omitted.
-const MAX_LAG_FRACTION: f64 = 0.1;
 /// Interval of the difference quotient of the force's rate, relative to the time scale of the contact force.
 const DIFFERENCE: f64 = 1e-3;
-/// Factor on all thresholds of this file in the second computation of an error estimate.
-pub(super) const SECOND_FACTOR: f64 = 1e-2;
 /// Step size towards a singular zero, relative to the time until the plate reaches it. The step then ends at about its own length from the
 /// zero, where polynomials are accurate.
 const SINGULARITY_STEP_FRACTION: f64 = 0.55;
@@ -59,7 +52,9 @@ impl ImpactParameters {
 
     /// Returns the displacement at which a relocked plate unlocks, m, for a travel of the projectile.
     pub(super) fn relock_displacement_m(&self, q_m: f64) -> f64 {
-        RELOCK_TOLERANCE_FACTOR * self.numerics.tolerance * smaller(q_m, self.reference.length_m)
+        // The tolerance of the run.
+        let tolerance = (1.0 / STEP_TOLERANCE_FACTOR) * self.numerics.tolerance;
+        tolerance * smaller(q_m, self.reference.length_m)
     }
 }
 
@@ -218,8 +213,8 @@ impl Equations<'_> {
         let damped_m = damper.force(balanced.1) / slope_n_m;
         let damped_m_s = (damper.exponent + 1.0) * (power - 1.0) * rate * damped_m;
         let (off_m, off_m_s) = (lag_m + damped_m, lag_m_s + damped_m_s);
-        let is_small = off_m.abs() < MAX_LAG_FRACTION * x_m.abs()
-            && off_m_s.abs() < MAX_LAG_FRACTION * balanced.1.abs();
+        let is_small =
+            off_m.abs() < FIRST_ORDER * x_m.abs() && off_m_s.abs() < FIRST_ORDER * balanced.1.abs();
         if is_small && Rule::Lag.applies() {
             (balanced.0 - off_m, balanced.1 - off_m_s)
         } else {

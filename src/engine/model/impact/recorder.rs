@@ -10,6 +10,7 @@ use crate::model::impact::fused_swing::FusedSwing;
 use crate::model::impact::loads::{COMPRESSION_TENSION_SIGNS, Loads};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::{ImpactParameters, Masses};
+use crate::model::impact::resolution::RESOLUTION;
 use crate::model::impact::results::sample;
 use crate::model::impact::state::State;
 use crate::model::run::{
@@ -21,10 +22,6 @@ use crate::numerics::quadrature::GAUSS_10;
 
 /// Number of rows after which only the ends of steps are kept.
 const ROWS_MAX: usize = 20_000;
-/// Velocity of a hit on the stop below which it is not marked, relative to the impact velocity.
-const NOTED_HIT: f64 = 1e-9;
-/// Relative tolerance of equal depths, for rounding errors.
-const SAME_DEPTH: f64 = 1e-9;
 /// Relative distance of the pieces of the area law of an oblique section from the exact depths.
 const NEAR_DEPTH: f64 = 1e-2;
 
@@ -387,7 +384,7 @@ impl Recorder {
                 self.events.retain(|it| it.kind != EventKind::GreatestDisplacement);
                 self.note(to.t_s, EventKind::GreatestDisplacement);
             }
-            modes::Event::StopReached if from.w_m_s > NOTED_HIT * setup.reference.velocity_m_s => {
+            modes::Event::StopReached if from.w_m_s > RESOLUTION * setup.reference.velocity_m_s => {
                 self.note(to.t_s, EventKind::StopHit);
             }
             _ => {}
@@ -440,7 +437,7 @@ impl Recorder {
         let is_at = |depth_m: f64, part: f64| {
             (geometry.depth_m(state.q_m) - depth_m).abs() < part * depth_m
         };
-        if is_at(geometry.thickness_m, SAME_DEPTH) {
+        if is_at(geometry.thickness_m, RESOLUTION) {
             self.note(state.t_s, EventKind::RearFace);
         } else if is_at(geometry.nose.full_from_m(), NEAR_DEPTH) {
             self.note(state.t_s, EventKind::NoseBuried);

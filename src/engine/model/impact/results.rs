@@ -10,6 +10,7 @@ use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
 use crate::model::impact::outcome::NEGLIGIBLE;
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
+use crate::model::impact::resolution::RESOLUTION;
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
@@ -22,10 +23,6 @@ use crate::numerics::larger;
 
 /// Velocity of a damped plate, relative to its maximum, at which the time series ends.
 const ARRIVED_SPEED: f64 = 1e-2;
-/// Relative increase of a peak load that does not need further simulation.
-const GROWTH: f64 = 1e-9;
-/// Tolerance of reaching the maximum displacement, relative to it.
-const REACHED: f64 = 1e-9;
 /// Energy residual above which a warning is given, relative to the energy at the start.
 const DRIFT: f64 = 1e-8;
 
@@ -97,7 +94,7 @@ impl ImpactRun<'_> {
         let bounds = equations.peak_load_bounds_n(state, energy_j);
         let most_n = equations.mechanism_bounds_n(bounds);
         let known_n = record.loads.known_n(&equations, state);
-        let grows = (0..2).any(|way| most_n[way] > known_n[way] * (1.0 + GROWTH));
+        let grows = (0..2).any(|way| most_n[way] > known_n[way] * (1.0 + RESOLUTION));
         let exceeds =
             is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
         if !setup.damper.is_absent()
@@ -148,7 +145,7 @@ impl ImpactRun<'_> {
     /// Returns `true` if the plate has not reached its final maximum displacement.
     pub(super) fn is_before_max_displacement(&self) -> bool {
         let reached_m = self.record.farthest_m;
-        self.decided.is_some_and(|(_, far_m)| far_m - reached_m > REACHED * far_m.abs())
+        self.decided.is_some_and(|(_, far_m)| far_m - reached_m > RESOLUTION * far_m.abs())
     }
 
     /// Returns the maximum displacement, m; up to the horizon if nothing stops the plate.
@@ -460,7 +457,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
 /// Returns a peak, or a row above it. Rows after the decision exceed a peak that follows from the energy only by the errors of their steps.
 fn raised(peak: f64, rows: impl Iterator<Item = f64>) -> f64 {
     let most = rows.fold(f64::NEG_INFINITY, |most, row| if row > most { row } else { most });
-    if most > peak + GROWTH * peak.abs() { most } else { peak }
+    if most > peak + RESOLUTION * peak.abs() { most } else { peak }
 }
 
 /// Returns the row of a state.

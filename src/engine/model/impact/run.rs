@@ -14,13 +14,14 @@ use crate::model::impact::modes::{Event, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
 use crate::model::impact::reduced_system::ReducedSystem;
+use crate::model::impact::resolution::RESOLUTION;
 use crate::model::impact::results::{self, ImpactRun};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::model::impact::transitions;
 use crate::model::run::{Cost, EndReason, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::Scene;
-use crate::numerics::event_location::{EventSearch, first_crossing};
+use crate::numerics::event_location::{CELLS, EventSearch, first_crossing};
 use crate::numerics::step::{StagePredictor, Step, Stepper};
 use crate::numerics::{larger, smaller};
 
@@ -29,8 +30,6 @@ const FIRST_STEP: f64 = 0.5;
 /// Factor on the first step of the second computation of an error estimate, if a law is singular at the start. The error of that step
 /// depends on its size more than on the number of stages, so that equal steps would have nearly equal errors.
 const SECOND_START: f64 = 1.0 / 16.0;
-/// Step-size factor if an event can precede the first sampling point, which is at this fraction of the step.
-const UNRESOLVED_EVENT_CUT: f64 = 1.0 / 16.0;
 /// Distance from the end of a step, relative to its size, within which an event is taken from the dense output. The error of the dense
 /// output there is that of the end.
 const NEAR_END: f64 = 1e-5;
@@ -40,9 +39,6 @@ const LANDINGS_MAX: usize = 6;
 const SECANTS: usize = 8;
 /// Minimum step size, relative to `R / v_i`; smaller steps do not change t.
 const MIN_STEP_FRACTION: f64 = 1e-15;
-/// Tolerance of an event function for a second event at the same time, relative to its scale: rounding can put the state beyond it, and the
-/// steps to the first would become shorter without end.
-const SIMULTANEOUS_EVENT_TOLERANCE: f64 = 1e-9;
 /// Turns of the plate and changes of its contact after the first contact from which on these, and not the steps between them, use up the
 /// work of a run. Decided runs rarely have more.
 const CHANGES_FEW: usize = 100;
@@ -343,7 +339,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             EventSearch::Unresolved(which) if h_s < no_time_s => {
                 self.apply_transition(events[which], *start);
             }
-            EventSearch::Unresolved(_) => self.h_s = UNRESOLVED_EVENT_CUT * h_s,
+            // An event can precede the first sampling point.
+            EventSearch::Unresolved(_) => self.h_s = h_s / CELLS as f64,
             EventSearch::Fall(which, _) if !self.stepper.locates() => {
                 self.apply_transition(events[which], law.state(h_s, &step.end));
             }
@@ -395,11 +392,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                     event_function(equations, *other, start),
                     event_function(equations, *other, &state),
                 );
-                let tolerance = if Rule::SimultaneousEvents.applies() {
-                    SIMULTANEOUS_EVENT_TOLERANCE
-                } else {
-                    0.0
-                };
+                let tolerance = if Rule::SimultaneousEvents.applies() { RESOLUTION } else { 0.0 };
                 before > 0.0 && now < -tolerance * before
             });
             if comes_first {

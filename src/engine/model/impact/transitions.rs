@@ -8,14 +8,11 @@ use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::resolution::NEGLIGIBLE_AT_ZERO;
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::model::power_law::sign;
 use crate::numerics::larger;
-
-/// Energy of fused bodies, relative to the work of the hole, below which a stop arrests both: the interface would slip by less than this
-/// fraction of the travel.
-const NEGLIGIBLE_IMPACT_ENERGY: f64 = 1e-13;
 
 /// Returns mode and state at first contact.
 pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
@@ -272,7 +269,7 @@ fn reach_stop(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State
     let hole_j = setup.geometry.area_m2(mode.deepest_m) * setup.strength_pa * mode.deepest_m;
     let is_soft = joined
         && setup.interface.is_plastic
-        && blow_j < NEGLIGIBLE_IMPACT_ENERGY * hole_j
+        && blow_j < NEGLIGIBLE_AT_ZERO * hole_j
         && Rule::SoftBlow.applies();
     state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, restitution, state) };
     if !(joined && (is_soft || !setup.interface.is_plastic)) {

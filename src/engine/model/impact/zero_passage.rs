@@ -9,7 +9,7 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::events::{event_function, possible_events};
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, Event, PlateConstraint};
-use crate::model::impact::plate_lock::{NEGLIGIBLE_AT_ZERO, SECOND_FACTOR};
+use crate::model::impact::resolution::{NEGLIGIBLE_AT_ZERO, SECOND_FACTOR};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 
