@@ -1,11 +1,26 @@
-//! Queue of messages for the event loop: gives priority to the latest requests of the user.
+//! Messages for the event loop, and their queue: gives priority to the latest requests of the user.
 
 use std::collections::VecDeque;
 
-use crossterm::event::KeyEvent;
+use crossterm::event::{KeyEvent, MouseEvent};
 
-use super::event_loop::LoopEvent;
 use crate::tui::message::Message;
+
+/// Message to the event loop.
+pub(super) enum LoopEvent {
+    Message(Message),
+    Mouse(MouseEvent),
+    /// The terminal has received the last frame.
+    Arrived,
+    /// Signal or lost terminal: quit with this exit status.
+    End(u8),
+    /// Stop the process (`kill -TSTP`).
+    Stop,
+    /// The size of the terminal has changed.
+    Resized,
+    /// The process continues after a stop: take over the terminal again.
+    Continued,
+}
 
 /// Maximum number of equal consecutive keys in the queue: about 50 ms of work. More would continue to act after the release of a held key.
 const REPEATS_MAX: usize = 1000;

@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::event_loop::LoopEvent;
+use super::backlog::LoopEvent;
 use super::start;
 use crate::files::atomic::{self, OverwritePolicy};
 use crate::files::error::FileError;

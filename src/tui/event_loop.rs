@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use crossterm::clipboard::CopyToClipboard;
 use crossterm::event::{MouseEvent, MouseEventKind};
 
-use super::backlog;
+use super::backlog::{self, LoopEvent};
 use super::effects::{self, IoThread};
 use super::frame_scheduler::FrameScheduler;
 use super::signals::{self, HUNG_UP};
@@ -56,22 +56,6 @@ impl From<io::Error> for ExitReason {
 
 /// Result of a loop turn; the error is the reason to quit.
 type LoopResult = Result<(), ExitReason>;
-
-/// Message to the event loop.
-pub(super) enum LoopEvent {
-    Message(Message),
-    Mouse(MouseEvent),
-    /// The terminal has received the last frame.
-    Arrived,
-    /// Signal or lost terminal: quit with this exit status.
-    End(u8),
-    /// Stop the process (`kill -TSTP`).
-    Stop,
-    /// The size of the terminal has changed.
-    Resized,
-    /// The process continues after a stop: take over the terminal again.
-    Continued,
-}
 
 /// State of the event loop.
 pub(super) struct EventLoop {

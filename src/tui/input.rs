@@ -8,7 +8,7 @@ use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::event_loop::LoopEvent;
+use super::backlog::LoopEvent;
 use super::signals::HUNG_UP;
 use super::terminal;
 use super::terminal::decode::{Decoder, Input};

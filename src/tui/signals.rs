@@ -13,7 +13,7 @@ use signal_hook::consts::{
 };
 use signal_hook::iterator::Signals;
 
-use super::event_loop::LoopEvent;
+use super::backlog::LoopEvent;
 use super::terminal;
 
 /// Signals that end a process by default and can be handled. Each would leave the terminal in its present mode.
