@@ -4,6 +4,7 @@
 //! or row.
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 
 use super::*;
 use crate::tui::theme::ColourDepth;
@@ -208,12 +209,20 @@ fn any_axis() -> impl Strategy<Value = Axis<'static>> {
     })
 }
 
+/// Keeps failures beside those of the other tests.
+fn kept() -> ProptestConfig {
+    let file = FileFailurePersistence::Direct("tests/proptest-regressions/chart.txt");
+    ProptestConfig { failure_persistence: Some(Box::new(file)), ..ProptestConfig::default() }
+}
+
 fn any_theme() -> impl Strategy<Value = Theme> {
     let glyphs = vec![GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];
     prop::sample::select(glyphs).prop_map(|glyphs| Theme { glyphs, depth: ColourDepth::Ansi256 })
 }
 
 proptest! {
+    #![proptest_config(kept())]
+
     #[test]
     fn anything_is_drawn_inside_its_area(
         points in prop::collection::vec((any_f64(), any_f64()), 0..200),
@@ -290,6 +299,8 @@ proptest! {
 }
 
 proptest! {
+    #![proptest_config(kept())]
+
     /// As high as a chart of any screen from 60x16 to 200x60 can be.
     #[test]
     fn a_logarithmic_chart_upward_has_two_labels_and_each_stands_at_its_value(
@@ -340,6 +351,8 @@ fn are_round(values: &[f64], least: f64) -> bool {
 }
 
 proptest! {
+    #![proptest_config(kept())]
+
     /// Each label is drawn again as a level line of its value: the line must be in the row of the label.
     #[test]
     fn labels_upward_are_round_and_lie_on_their_rows(
