@@ -103,7 +103,6 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
                 output::note(&clean::line(&format!("error: {line}")));
             } else {
                 // Help and version.
-                output::open()?;
                 error.print().map_err(CliError::Stdout)?;
             }
             return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));

@@ -3,32 +3,9 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::cli::CliError;
 use crate::files::clean;
-
-/// Whether standard output was closed when the process started. Rust's runtime opens `/dev/null` in its place before `main`, and a result
-/// would be lost without an error: only a function that runs earlier detects it.
-static WAS_CLOSED: AtomicBool = AtomicBool::new(false);
-
-#[cfg(target_os = "linux")]
-mod before_main {
-    use std::sync::atomic::Ordering;
-
-    #[expect(
-        unsafe_code,
-        reason = "only what runs before `main` can see it; the function takes no argument and calls no C"
-    )]
-    #[unsafe(link_section = ".init_array")]
-    #[used]
-    static LOOK: extern "C" fn() = look;
-
-    extern "C" fn look() {
-        let is_closed = rustix::io::fcntl_getfd(rustix::stdio::stdout()).is_err();
-        super::WAS_CLOSED.store(is_closed, Ordering::Relaxed);
-    }
-}
 
 /// Returns `true` if a path of the command line is standard output. What is written is added to a file behind it, which is not
 /// replaced, and no scene goes beside it.
@@ -36,16 +13,7 @@ pub(super) fn is_stdout(path: &Path) -> bool {
     ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| path == Path::new(name))
 }
 
-/// Checks that standard output was open when the process started.
-pub(super) fn open() -> Result<(), CliError> {
-    if WAS_CLOSED.load(Ordering::Relaxed) {
-        return Err(CliError::Stdout(io::Error::other("it is closed")));
-    }
-    Ok(())
-}
-
 pub(super) fn print(text: &str) -> Result<(), CliError> {
-    open()?;
     let mut out = io::stdout().lock();
     let text = clean::page(text);
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
@@ -53,7 +21,6 @@ pub(super) fn print(text: &str) -> Result<(), CliError> {
 
 /// Writes a part of a result.
 pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), CliError> {
-    open()?;
     io::stdout().lock().write_all(bytes).map_err(CliError::Stdout)
 }
 
