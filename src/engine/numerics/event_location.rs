@@ -23,9 +23,11 @@ pub(crate) enum EventSearch {
 
 /// Locates the first sign change, given samples of each event function and the function itself by fraction of the step and index.
 ///
-/// An event function that starts at zero triggers only after it has been positive.
+/// An event function that starts at zero triggers only after it has been positive. With `dips`, two sign changes between samples are found,
+/// too.
 pub(crate) fn first_crossing(
     gaps: &[[f64; CELLS + 1]],
+    dips: bool,
     gap: impl Fn(f64, usize) -> f64,
 ) -> EventSearch {
     let mut first: Option<(usize, f64)> = None;
@@ -33,7 +35,7 @@ pub(crate) fn first_crossing(
         if gaps[0] <= 0.0 && gaps[1] < 0.0 {
             return EventSearch::Unresolved(which);
         }
-        if let Some(place) = fall(gaps, |part| gap(part, which))
+        if let Some(place) = fall(gaps, dips, |part| gap(part, which))
             && first.is_none_or(|(_, earlier)| place < earlier)
         {
             first = Some((which, place));
@@ -43,11 +45,11 @@ pub(crate) fn first_crossing(
 }
 
 /// Returns the fraction of the step at the first sign change of an event function.
-fn fall(gaps: &[f64; CELLS + 1], gap: impl Fn(f64) -> f64) -> Option<f64> {
+fn fall(gaps: &[f64; CELLS + 1], dips: bool, gap: impl Fn(f64) -> f64) -> Option<f64> {
     let end = |cell: usize| cell as f64 / CELLS as f64;
     (1..=CELLS).find_map(|cell| {
         let (before, here) = (gaps[cell - 1], gaps[cell]);
-        if cell > 1 && is_deep([gaps[cell - 2], before, here]) {
+        if dips && cell > 1 && is_deep([gaps[cell - 2], before, here]) {
             let bottom = maximum::in_bracket(end(cell - 2), end(cell), &|part| -gap(part));
             if gap(bottom) < 0.0 {
                 return Some(bracketed_root(end(cell - 2), bottom, &gap));
@@ -77,7 +79,7 @@ mod tests {
     fn of_all<const N: usize>(gaps: &[impl Fn(f64) -> f64; N]) -> EventSearch {
         let at_ends =
             gaps.each_ref().map(|gap| std::array::from_fn(|end| gap(end as f64 / CELLS as f64)));
-        first_crossing(&at_ends, |part, which| gaps[which](part))
+        first_crossing(&at_ends, true, |part, which| gaps[which](part))
     }
 
     fn is_at(found: EventSearch, exact: f64) -> bool {

@@ -221,7 +221,7 @@ impl Recorder {
                             + equations.carried_weight_n())
             };
             let gaps_n = path.looks.each_ref().map(gap_n);
-            match first_crossing(&[gaps_n], |part, _| gap_n(&path.at(part))) {
+            match first_crossing(&[gaps_n], true, |part, _| gap_n(&path.at(part))) {
                 EventSearch::Fall(_, part) => path.at(part).t_s,
                 EventSearch::Nothing | EventSearch::Unresolved(_) => path.end().t_s,
             }

@@ -39,6 +39,8 @@ pub(super) enum Rule {
     ZeroPassed,
     /// Rest of a plate whose further bounces are negligible.
     BouncesToRest,
+    /// Look for an event function that is below zero only between two samples of a step.
+    Dips,
     /// Tolerance for the order of two simultaneous events, which rounding can swap.
     SimultaneousEvents,
     /// Suppression of an event that reverses the event at the same state.
@@ -153,6 +155,12 @@ mod tests {
             Difference::End([EndReason::Oscillates, EndReason::StepUnderflow]),
         ),
         (Rule::BouncesToRest, "k=0 b=1.36 gamma=0.747 x_stop=13.7um e=0.9", BUDGET),
+        (
+            Rule::Dips,
+            "n=2.17881 m=0.759558 k=4.79807e5 gamma=8.75375e-4 v_i=0.246327 h=1.58546mm S_y=1.67879e5 C_d=0.356366 interface=plastic \
+             g=0.0594629",
+            Difference::Displacement(100.0),
+        ),
         // Without a grip the pull starts at the arrest, where the load is zero.
         (
             Rule::SimultaneousEvents,

@@ -325,7 +325,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         };
         let gaps: Vec<_> = events.iter().map(of_event).collect();
         let gap = |at: f64, which: usize| event_function(equations, events[which], &path.at(at));
-        match first_crossing(&gaps, gap) {
+        match first_crossing(&gaps, Rule::Dips.applies(), gap) {
             EventSearch::Nothing => {
                 self.course.record.step(equations, &path);
                 self.course.state = law.state(h_s, &step.end);
