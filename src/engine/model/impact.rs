@@ -11,7 +11,7 @@ use std::sync::Arc;
 use crate::model::closed_form;
 use crate::model::estimate;
 use crate::model::impact::parameters::ImpactParameters;
-use crate::model::impact::resolution::{SECOND_FACTOR, STEP_TOLERANCE_FACTOR};
+use crate::model::impact::resolution::{NEGLIGIBLE, SECOND_FACTOR, STEP_TOLERANCE_FACTOR};
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::{ContactModel, Scene};
@@ -45,9 +45,6 @@ mod tests;
 mod transitions;
 mod weight;
 mod zero_passage;
-
-/// Relative tolerance of event location for methods with fixed steps.
-const STEPPED: f64 = 1e-12;
 
 /// Tolerance of the steps of the second computation, relative to that of the first, for laws that are not analytic at zero. Towards these
 /// zeros both computations take equal steps, and two stages more leave less than a hundredth of the error; a tighter tolerance would only
@@ -112,10 +109,10 @@ fn run_by(
             run::run(scene, &setup(tolerance), &Dop853 { tolerance }, settings, observer)
         }
         IntegrationMethod::Rk4(step) => {
-            run::run(scene, &setup(STEPPED), &Rk4 { step, locates: true }, settings, observer)
+            run::run(scene, &setup(NEGLIGIBLE), &Rk4 { step, locates: true }, settings, observer)
         }
         IntegrationMethod::Rk4WithoutEvents(step) => {
-            run::run(scene, &setup(STEPPED), &Rk4 { step, locates: false }, settings, observer)
+            run::run(scene, &setup(NEGLIGIBLE), &Rk4 { step, locates: false }, settings, observer)
         }
     }
 }

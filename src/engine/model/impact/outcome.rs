@@ -8,6 +8,7 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
+use crate::model::impact::resolution::NEGLIGIBLE;
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::model::power_law::PowerLaw;
@@ -15,8 +16,6 @@ use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
-/// Relative change of depth or displacement that is negligible: a thousandth of the default tolerance.
-pub(super) const NEGLIGIBLE: f64 = 1e-12;
 /// Negligible velocity of separation, relative to the impact velocity: ten times the velocity by which rounding errors of the contact force
 /// separate the bodies.
 const PARTING: f64 = 1e-10;

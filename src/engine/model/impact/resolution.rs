@@ -3,6 +3,9 @@
 /// Relative difference below which two results count as equal, and a velocity, relative to that of the impact, as zero: the default
 /// tolerance of a run.
 pub(super) const RESOLUTION: f64 = 1e-9;
+/// Relative change of depth or displacement that is negligible, and tolerance of event location for methods with fixed steps: a thousandth
+/// of the default tolerance.
+pub(super) const NEGLIGIBLE: f64 = 1e-12;
 /// Relative threshold for a negligible displacement (of the tip radius), momentum or energy at a singular zero or a stop: 1e-4 of the
 /// default tolerance.
 pub(super) const NEGLIGIBLE_AT_ZERO: f64 = 1e-13;

@@ -7,10 +7,9 @@ use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
-use crate::model::impact::outcome::NEGLIGIBLE;
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
-use crate::model::impact::resolution::RESOLUTION;
+use crate::model::impact::resolution::{NEGLIGIBLE, RESOLUTION};
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
@@ -28,7 +27,6 @@ const DRIFT: f64 = 1e-8;
 
 /// Work of the weight above which a warning is given if it is not included, relative to the energy of the impact.
 const WEIGHT_FRACTION: f64 = 0.02;
-
 /// Number of contact changes after which the depth of a slipping projectile is given as an interval. The remaining uncertainty decreases
 /// with the square of the number.
 const CHANGES_TO_INTERVAL: usize = 64;

@@ -42,13 +42,11 @@ const MIN_STEP_FRACTION: f64 = 1e-15;
 /// Turns of the plate and changes of its contact after the first contact from which on these, and not the steps between them, use up the
 /// work of a run. Decided runs rarely have more.
 const CHANGES_FEW: usize = 100;
+/// Maximum number of steps after the results are known, for the peak loads and for the time series. A strongly damped plate may not reverse,
+/// and a stiff mount can oscillate a million times meanwhile.
+const STEPS_FOLLOWED: usize = 200;
 /// Number of reversals for which the plate is simulated after the outcome is decided, for its peak loads: one forward, one back.
 const TURNS_FOLLOWED: usize = 2;
-/// Maximum number of steps of that simulation; a strongly damped plate may not reverse.
-const STEPS_FOLLOWED: usize = 1_000;
-/// Maximum number of steps for the time series after the results are known; a stiff mount can oscillate a million times meanwhile.
-const STEPS_DRAWN: usize = 200;
-
 /// Part of the work of a run that this simulation may take, one in so many.
 const EXTENSION: usize = 8;
 
@@ -206,7 +204,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             if loads.is_none() && !(is_followed && self.course.loads_may_grow()) {
                 loads = Some(self.course.record.loads);
             }
-            let draws = is_drawn && stepped < STEPS_DRAWN && self.course.is_drawn();
+            let draws = is_drawn && stepped < STEPS_FOLLOWED && self.course.is_drawn();
             if (loads.is_some() && !draws) || self.is_at(self.course.horizon_s) {
                 break None;
             }
