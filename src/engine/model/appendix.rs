@@ -3,14 +3,14 @@
 //! The scripts m50, m200 and m300 are read as one loop. Each step computes the depth from the projectile's travel, then the area and one
 //! force. The projectile is advanced by the trapezoid of old and new force (its travel by forward Euler), the plate by one Runge-Kutta step
 //! with a constant force. The contact ends when the relative velocity falls below 0.01 m/s or the area vanishes. [`Listing`] names the
-//! errors. This module computes a step of the contact; [`listing`] computes the run.
+//! errors. This module computes a step of the contact; `listing` computes the run.
 
 use crate::model::contact::Geometry;
 use crate::model::power_law::PowerLaw;
 use crate::model::run::{EndReason, Outcome};
 use crate::model::scene::{Listing, Scene};
 
-pub mod listing;
+pub(in crate::model) mod listing;
 
 /// Relative velocity at which the listing ends the contact, m/s.
 const SLOW_M_S: f64 = 0.01;

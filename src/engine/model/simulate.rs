@@ -12,7 +12,7 @@ use crate::model::run::{
     Run, RunWarning, WORK_MAX,
 };
 pub use crate::model::run::{Observer, RunSnapshot, Settings};
-use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
+use crate::model::scene::{ContactModel, InterfaceLaw, Listing, Scene};
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
 
@@ -40,6 +40,20 @@ pub fn simulate_by_law_alone(
     observer: Observer<'_>,
 ) -> Result<Run, VariableError> {
     shoot(scene, settings, |_| (), observer)
+}
+
+/// Simulates an impact by a listing of Appendix A, with any contact model of the scene; without error estimate and rigid-mount run.
+///
+/// # Errors
+/// A [`VariableError`] if the scene is physically impossible.
+pub fn simulate_by_listing(
+    scene: &Arc<Scene>,
+    listing: Listing,
+    series: bool,
+    observer: Observer<'_>,
+) -> Result<Run, VariableError> {
+    variables::validate(scene)?;
+    Ok(listing::compute(scene, listing, series, observer))
 }
 
 /// Runs the plates of a scene one after the other and applies a verdict to each.

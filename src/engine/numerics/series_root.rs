@@ -1,4 +1,6 @@
 //! Zeros of a power series on an interval: the position of a single crossing, and a bound for further ones.
+//!
+//! Not by `root`: the contact kernel needs a zero in each step, and a series has its first guess and its derivatives at the cost of a value.
 
 /// Maximum number of iterations; bisection alone needs 53.
 const ROUNDS_MAX: usize = 60;

@@ -61,7 +61,12 @@ pub(in crate::model) fn run(scene: &Arc<Scene>, settings: Settings, observer: Ob
 }
 
 /// Runs the listing on a scene, without error estimate and without the rigid-mount run.
-pub fn compute(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>) -> Run {
+pub(in crate::model) fn compute(
+    scene: &Arc<Scene>,
+    listing: Listing,
+    keep: bool,
+    observer: Observer<'_>,
+) -> Run {
     let scheme = Scheme::from_scene(scene, listing);
     let state = scheme.start;
     let mut run = Run { scene: Arc::clone(scene), ..Run::default() };

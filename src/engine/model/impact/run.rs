@@ -404,6 +404,9 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
 }
 
 /// Returns the root of a function near 1 by the secant method; a value far from 1 if there is none.
+///
+/// Not [`bracketed_root`](crate::numerics::root::bracketed_root): the event can lie behind the end of the step, so there is no bracket. Not
+/// Newton's method: event functions have no derivatives.
 fn near_root(f: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b) = (1.0 - 1e-3, 1.0);
     let (mut at_a, mut at_b) = (f(a), f(b));

@@ -8,13 +8,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::study::quantities;
-use cmra_engine::model::appendix::listing;
 use cmra_engine::model::contact_kernel::Contact;
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
 use cmra_engine::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
 use cmra_engine::model::scene::{ContactModel, InterfaceLaw, Listing, Scene};
-use cmra_engine::model::simulate::{Settings, simulate_by_law_alone};
+use cmra_engine::model::simulate::{Settings, simulate_by_law_alone, simulate_by_listing};
 
 enumeration! {
     /// Result that methods are compared by.
@@ -379,7 +378,10 @@ pub(super) fn printed(scene: &Scene, dt_s: f64) -> Result<Answer, Refusal> {
     let listing = Listing { step_s: dt_s, ..Listing::default() };
     let stop_m = scene.mechanism.stop.position_m.filter(|_| scene.is_sprung());
     let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
-    let run = listing::compute(&Arc::new(contact), listing, stop_m.is_some(), go_on);
+    let contact = Arc::new(contact);
+    let Ok(run) = simulate_by_listing(&contact, listing, stop_m.is_some(), go_on) else {
+        return Err(Refusal::OtherContact);
+    };
     let is_beyond = |row: &Sample| stop_m.is_some_and(|stop_m| row.plate_displacement_m >= stop_m);
     if run.series.iter().any(is_beyond) {
         return Err(Refusal::StopActs);
