@@ -1,6 +1,11 @@
 //! The one table of quantities, the inputs by name, face and mass, and the envelope of validity, as a user meets them.
 
+use cmra_engine::model::run::RunResult;
+use cmra_engine::model::scene::Scene;
+use cmra_engine::model::simulate::{RunSnapshot, Settings, simulate};
+use cmra_engine::model::variables::changed;
 use cmra_studies::study::envelope::Check;
+use cmra_studies::study::quantities::find;
 use serde_json::Value;
 
 use crate::support::says;
@@ -12,6 +17,29 @@ fn object(command: &str, arguments: &[&str], code: i32) -> Value {
 
 fn warnings(found: &Value) -> String {
     found["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect()
+}
+
+/// A rigid mount takes the contact force along the normal, which at 30 degrees is `cos(30°)` of it; of a spring alone the greatest force is
+/// `k x`. Both the result of a run, whose error is estimated, and the quantity say so.
+#[test]
+fn valid_the_mount_force_has_one_definition() {
+    for (changes, known) in
+        [("mount=rigid theta=30deg", "contact"), ("mount=rigid", "contact"), ("gamma=2", "spring")]
+    {
+        let scene = std::sync::Arc::new(changed(Scene::default(), changes).unwrap());
+        let go_on = &mut |_: &RunSnapshot<'_>| std::ops::ControlFlow::Continue(());
+        let run = simulate(&scene, &Settings::default(), go_on).unwrap();
+        let angle_rad = scene.projectile.obliquity_deg.to_radians();
+        let expected = if known == "contact" {
+            run.peak_contact_force_n.unwrap() * angle_rad.cos()
+        } else {
+            scene.mechanism.spring.coefficient * run.max_plate_displacement_m.unwrap()
+        };
+        let quantity = find("peak_mount_force_n").unwrap().value(&run);
+        for found in [RunResult::PeakMountForce.value(&run), quantity] {
+            assert!((found.unwrap() / expected - 1.0).abs() < 1e-9, "{changes}: {found:?}");
+        }
+    }
 }
 
 /// In closed form, rigid, Table 9.1: 232.295378 m/s at h = 25.4 mm.

@@ -126,12 +126,15 @@ pub fn drawn_again(count: usize) -> Option<String> {
     (count > 0).then(|| format!("{count} impossible samples drawn again"))
 }
 
-/// Describes the probability of perforation; `None` if unknown.
-pub fn perforation(report: &MonteCarloReport) -> Option<String> {
+/// Describes the probability of perforation, at length and briefly; `None` if unknown.
+pub fn perforation(report: &MonteCarloReport) -> Option<[String; 2]> {
     let found = report.perforated?;
     let [part, low, high] =
         [found.value, found.low_95, found.high_95].map(|part| significant(100.0 * part, 3));
-    Some(format!("perforated: {part} % of the shots (95 % confidence: {low} to {high} %)"))
+    Some([
+        format!("perforated: {part} % of the shots (95 % confidence: {low} to {high} %)"),
+        format!("perforated: {part} % (95 %: {low} to {high} %)"),
+    ])
 }
 
 /// Returns the report: inputs, outcomes, and the table of the quantities; `answer` is the verdict on the scene's own shot.
@@ -147,7 +150,8 @@ pub fn page(title: &str, report: &MonteCarloReport, (answer, reach): (&str, Reac
     }
     page.space();
     page.line(report.outcomes.to_string());
-    for text in perforation(report).into_iter().chain(model_error(report)) {
+    let through = perforation(report).map(|[text, _]| text);
+    for text in through.into_iter().chain(model_error(report)) {
         page.line(text);
     }
     let mut table = table(title, report);

@@ -1,7 +1,7 @@
 //! The load of the mount in a run: the greatest force, the impulse, and the energy in the springs.
 
 use cmra_engine::model::mechanism::{Mechanism, moving_plate_kg};
-use cmra_engine::model::run::{ContactMode, EventKind, Outcome, Run, Sample};
+use cmra_engine::model::run::{ContactMode, EventKind, Outcome, Run, RunResult, Sample};
 use cmra_engine::model::scene::{ContactModel, Scene};
 use cmra_engine::numerics::larger;
 
@@ -23,19 +23,16 @@ pub(in crate::study) fn peak_so_far_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;
     }
-    if !run.scene.is_sprung() {
-        return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
-    }
     let mechanism = Mechanism::from_scene(&run.scene);
     let hit = |kind| run.events.iter().any(|event| event.kind == kind);
     if mechanism.rigid_stop().is_some() && hit(EventKind::StopHit) {
         // It stops the plate in no time.
         return None;
     }
-    if mechanism.is_absent() && mechanism.stop.is_none() {
+    if run.scene.is_sprung() && mechanism.is_absent() && mechanism.stop.is_none() {
         return None;
     }
-    run.mechanism.peak_mount_n.filter(|force_n| force_n.is_finite())
+    RunResult::PeakMountForce.value(run).filter(|force_n| force_n.is_finite())
 }
 
 /// Whether a sprung plate never leaves its place: a singular spring takes whatever comes, like a rigid mount.

@@ -43,7 +43,10 @@ impl RunResult {
             Self::SeparationVelocity => Some(run.departure.separation?.velocity_m_s),
             Self::InterfaceDemand => run.interface.demand_ratio,
             // On a rigid mount it is the contact force along the normal.
-            Self::PeakMountForce => run.mechanism.peak_mount_n.or(run.peak_contact_force_n),
+            Self::PeakMountForce => run
+                .mechanism
+                .peak_mount_n
+                .or_else(|| Some(run.peak_contact_force_n? * run.scene.cos_obliquity())),
             Self::StoredEnergy => run.mechanism.stored_j,
             Self::RotationalEnergy => run.mechanism.rotation_j,
         }

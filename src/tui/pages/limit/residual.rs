@@ -23,7 +23,7 @@ fn limit_lines(app: &App, width: u16) -> Vec<Remark> {
     let Some(report) = &tab.report.result else { return Vec::new() };
     let mut facts = remarks(report);
     if let Some(spread) = spread(app) {
-        let words = [v50(spread), perforation(spread)].into_iter().flatten();
+        let words = [v50(spread), perforation(spread).map(|[text, _]| text)].into_iter().flatten();
         facts.extend(words.map(|text| Remark::new("V50", text)));
     } else if report.limit.velocity_m_s().is_some() && tab.report.is_complete() {
         let text = app.keymap.shown("<run>: V50 and its spread, inputs varied by 2 %");

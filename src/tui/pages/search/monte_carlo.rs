@@ -70,10 +70,7 @@ impl Answer for MonteCarloReport {
             let names = [summary.measure.title(), shortened(&summary.measure.title())];
             Some(or_wrapped(names.map(|name| format!("{name} {spread}")), width))
         });
-        let through = perforation(self).map(|text| {
-            let short = text.replace(" of the shots (95 % confidence:", " (95 %:");
-            or_wrapped([text, short], width)
-        });
+        let through = perforation(self).map(|texts| or_wrapped(texts, width));
         shown.into_iter().chain(through).map(note).collect()
     }
 
