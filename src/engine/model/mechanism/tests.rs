@@ -76,6 +76,22 @@ fn forces_are_slopes_of_energies_tangents_slopes_of_forces_and_both_are_continuo
     }
 }
 
+/// Closed form of the reach on a power law: `((n + 1) E/k)^(1/(n + 1))`, down to energies whose reach a bisection of the position does not
+/// find. A plate on its stop would be followed for 8,000 steps with a rounded one.
+#[test]
+fn valid_a_steep_spring_beside_a_stop_reaches_as_far_as_alone() {
+    let (k, n) = (4.68e6, 0.16);
+    let spring = law(Parameters { coefficient: k, exponent: n, ..of_kind(SpringKind::PowerLaw) });
+    let spring = spring.beside_stop(1e-3, 1e9);
+    for energy in [1e-90, 1e-60, 1e-30, 1e-9, 1.0] {
+        let expected = ((n + 1.0) * energy / k).powf(1.0 / (n + 1.0));
+        for direction in [1.0, -1.0] {
+            let found = spring.reach(0.0, energy, direction);
+            assert!((direction * found / expected - 1.0).abs() < 1e-12, "{energy:e}: {found:e}");
+        }
+    }
+}
+
 #[test]
 fn a_plate_goes_as_far_as_its_energy() {
     for (name, spring) in springs() {
