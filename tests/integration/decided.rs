@@ -3,7 +3,12 @@
 use cmra_engine::model::run::{AtLeast, ContactMode, EndReason, Outcome, Run};
 use cmra_studies::study::quantities::find;
 
+use crate::random::Random;
 use crate::support::{assert_near, run, scene};
+
+/// Random plastic scenes, and their horizon in durations of the first contact.
+const RANDOM_SCENES: usize = 50;
+const PERIODS: f64 = 300.0;
 
 fn run_of(pairs: &str) -> Run {
     run(scene(pairs))
@@ -87,21 +92,40 @@ fn valid_every_plastic_scene_of_a_surface_is_decided() {
     assert!(intervals > 5, "{intervals}");
 }
 
-/// Lengths of the slips of a joined projectile in its hole, m, inwards positive.
-fn slips_m(run: &Run) -> Vec<f64> {
-    let (mut slips_m, mut from_m, mut before_m) = (Vec::new(), None, 0.0);
+/// Slip of a joined projectile in its hole, m, inwards positive.
+#[derive(Clone, Copy, Debug)]
+struct Slip {
+    length_m: f64,
+    /// Part of it above the bottom of the hole; what is beyond deepens the hole.
+    above_m: f64,
+}
+
+/// Returns the slips of a run with a series; the first goes all the way into the plate.
+fn slips(run: &Run) -> Vec<Slip> {
+    let (mut slips, mut from, mut before_m, mut bottom_m) = (Vec::new(), None, 0.0, 0.0);
     for row in &run.series {
-        match (row.mode == ContactMode::Fused, from_m) {
-            (false, None) => from_m = Some(before_m),
-            (true, Some(start_m)) => {
-                slips_m.push(row.penetration_m - start_m);
-                from_m = None;
+        let now_m = row.penetration_m;
+        match (row.mode == ContactMode::Fused, from) {
+            (false, None) => from = Some((before_m, bottom_m)),
+            (true, Some((start_m, bottom_m))) => {
+                let above_m = f64::min(now_m, bottom_m) - start_m;
+                slips.push(Slip { length_m: now_m - start_m, above_m });
+                from = None;
             }
             _ => {}
         }
-        before_m = row.penetration_m;
+        (before_m, bottom_m) = (now_m, f64::max(bottom_m, now_m));
     }
-    slips_m
+    slips
+}
+
+/// The first slip into the plate and the next are not of the oscillation: the others are no longer above the bottom of the hole than the one
+/// before, as far as they are resolved.
+fn assert_slips_get_shorter(slips: &[Slip], pairs: &str) {
+    for pair in slips.get(2..).unwrap_or_default().windows(2) {
+        let (before_m, now_m) = (pair[0].length_m.abs(), pair[1].above_m.abs());
+        assert!(now_m <= before_m || now_m < 1e-12, "{pairs}: {pair:?}");
+    }
 }
 
 /// The interval of the depth rests on it: each slip goes back, and is no longer than the one before.
@@ -118,15 +142,47 @@ fn slips_in_a_plastic_hole_get_shorter() {
         "gamma=4 k=2e8 n=1.6",
     ] {
         let found = run_of(&format!("interface=plastic {pairs} run.horizon_s=0.05"));
-        let slips_m = slips_m(&found);
-        assert!(slips_m.len() > 32, "{pairs}: {}", slips_m.len());
-        // The first goes all the way into the plate. It and the next are not of the oscillation.
-        for pair in slips_m[2..].windows(2) {
-            let is_resolved = pair[1].abs() > 1e-12;
-            let is_shorter = pair[1].abs() <= pair[0].abs() && pair[0] * pair[1] < 0.0;
-            assert!(is_shorter || !is_resolved, "{pairs}: {pair:?}");
+        let slips = slips(&found);
+        assert!(slips.len() > 32, "{pairs}: {}", slips.len());
+        assert_slips_get_shorter(&slips, pairs);
+        for pair in slips[2..].windows(2) {
+            let is_resolved = pair[1].length_m.abs() > 1e-12;
+            assert!(pair[0].length_m * pair[1].length_m < 0.0 || !is_resolved, "{pairs}: {pair:?}");
         }
     }
+}
+
+/// Random springs that push about as hard as the hole holds, dampers, grips, thicknesses and obliquities.
+#[test]
+fn slips_get_shorter_in_random_plastic_scenes_and_stay_within_the_interval() {
+    let mut random = Random(77);
+    let (mut slipping, mut intervals) = (0, 0);
+    for _ in 0..RANDOM_SCENES {
+        let n = random.log(0.25, 3.0);
+        let k = random.log(2e3, 2e5) / random.log(1e-5, 1e-2).powf(n);
+        let (gamma, v, h) = (random.log(0.5, 20.0), random.log(30.0, 400.0), random.log(0.01, 0.1));
+        let (b, m) = (random.log_or_zero(0.7, 0.1, 100.0), random.of(&[0.5, 1.0, 2.0]));
+        let (g, d) = (random.log(0.02, 1.5), random.log_or_zero(0.7, 1e-5, 1e-2));
+        let theta = if random.unit() < 0.7 { 0.0 } else { 60.0 * random.unit() };
+        let pairs = format!(
+            "interface=plastic n={n} k={k:e} gamma={gamma} v_i={v} h={h} b={b} m={m} g={g} d={d} theta={theta}deg"
+        );
+        let decided = run_of(&pairs);
+        let Some(arrest) = decided.first_arrest.filter(|_| decided.outcome == Outcome::Arrested)
+        else {
+            continue;
+        };
+        let horizon_s = f64::min(PERIODS * arrest.t_s, 0.05);
+        let long = run_of(&format!("{pairs} run.horizon_s={horizon_s:e}"));
+        let slips = slips(&long);
+        assert_slips_get_shorter(&slips, &pairs);
+        slipping += usize::from(slips.len() > 5);
+        let Some(most_m) = decided.penetration.at_most_m else { continue };
+        intervals += 1;
+        let long_m = long.penetration.final_m.or(long.at_least.penetration_m).unwrap();
+        assert!(long_m <= most_m * (1.0 + 1e-9), "{pairs}: {long_m} {most_m}");
+    }
+    assert!(slipping > RANDOM_SCENES / 5 && intervals > 0, "{slipping} {intervals}");
 }
 
 /// An undecided depth lies between the depth reached and the bound by the energy; a longer run confirms it.
