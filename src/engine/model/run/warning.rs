@@ -86,6 +86,10 @@ fn times(ratio: f64, strength: &str, unbounded: &str) -> String {
     if !ratio.is_finite() {
         return unbounded.to_owned();
     }
+    // A hole that is nearly through has hardly any area left: its digits say nothing.
+    if ratio > 1e6 {
+        return format!("is more than a million times its strength {strength}");
+    }
     format!("is {} times its strength {strength}", significant(ratio, 4))
 }
 
@@ -223,5 +227,18 @@ impl From<&RunWarning> for Warning {
 impl fmt::Display for RunWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Warning::from(self).fmt(f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hole_without_area_has_a_load_without_digits() {
+        let text = RunWarning::InterfacePush { ratio: 3.906e15, t_s: 1e-3 }.to_string();
+        assert!(text.starts_with("interface push is more than a million times its strength A S_y"));
+        let text = RunWarning::InterfacePush { ratio: 2.8752, t_s: 1e-3 }.to_string();
+        assert!(text.starts_with("interface push is 2.875 times its strength A S_y"), "{text}");
     }
 }
