@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use cmra::files::{read, write};
+use cmra::files::{preset, read, write};
 use cmra_engine::model::run::{Outcome, Run, RunWarning};
 use cmra_engine::model::variables;
+use cmra_studies::study::quantities;
 
 use crate::support::{assert_near, run, says, scene};
 
@@ -224,4 +225,17 @@ fn valid_the_table_of_a_stack_gives_the_mount_force_of_each_plate() {
     }
     assert_eq!(elements, 3, "{page}");
     assert!(page.contains("peak mount force of a plate: 20.06 kN, base plate"), "{page}");
+}
+
+/// The depth of a stack is that in all its plates, and no better known than that in any of them.
+#[test]
+fn the_error_of_a_stack_is_that_of_its_least_known_plate() {
+    let mut stack = preset::resolve("array-stacked", None).unwrap().scene;
+    stack.run.tolerance = 1e-3;
+    let found = run(stack);
+    let errors: Vec<f64> = found.plates().map(|plate| plate.estimate.main.unwrap()).collect();
+    let greatest = errors.iter().copied().fold(0.0, f64::max);
+    assert!(errors[0] < greatest, "{errors:?}");
+    let shown = quantities::find("error_estimate").unwrap().value(&found);
+    assert_eq!(shown, Some(greatest));
 }

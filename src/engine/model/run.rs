@@ -384,6 +384,11 @@ impl Run {
         errors.filter(|error| error.0 == name).map(|error| error.1).reduce(larger)
     }
 
+    /// Returns the relative error estimate of the final depth, of a stack the greatest of its plates; infinite if one is unknown.
+    pub fn depth_error(&self) -> Option<f64> {
+        self.plates().filter_map(|run| run.estimate.main).reduce(larger)
+    }
+
     /// Returns the residual velocity behind the plate, or behind the last plate of a stack, m/s.
     pub fn shot_residual_m_s(&self) -> Option<f64> {
         self.stack

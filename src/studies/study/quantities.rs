@@ -243,7 +243,7 @@ pub static QUANTITIES: &[Quantity] = &[
     result(InterfaceDemand, Number, "greatest compression the fused interface carried, over its strength A S_y").titled("interface push over strength").short("push"),
     quantity("interface_tension_ratio", Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface.tension_ratio?.min(UNBOUNDED_RATIO)))).titled("interface pull over strength").short("pull"),
     quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).is(&[OfComputation, OfStack]),
-    quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(|run| run.estimate.main)).is(&[OfComputation, OfStack, Estimate]),
+    quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(Run::depth_error)).is(&[OfComputation, OfStack, Estimate]),
     result(StoredEnergy, Energy, "greatest energy stored in the springs"),
     quantity("yield_margin", Number, "yield strength over the greatest bending stress of the mechanism's beams", Source::Run(|run| run.mechanism.yield_margin)),
     quantity("added_inertia_kg", Mass, "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),

@@ -99,7 +99,7 @@ impl App {
     fn cost_words(&self) -> Option<StatusPart> {
         let shown = self.shown.as_ref()?;
         let took = show_duration(shown.elapsed?);
-        let error = shown.run.estimate.main.map(|error| match error {
+        let error = shown.run.depth_error().map(|error| match error {
             f64::INFINITY => "error unknown".to_owned(),
             0.0 => "exact".to_owned(),
             _ => format!("error {}", units::below(error)),
