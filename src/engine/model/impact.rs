@@ -14,7 +14,7 @@ use crate::model::estimate;
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::resolution::{NEGLIGIBLE, SECOND_FACTOR, STEP_TOLERANCE_FACTOR};
 use crate::model::mechanism::Mechanism;
-use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Settings};
+use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Settings, WORK_MAX};
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
@@ -154,13 +154,35 @@ pub fn step_by(
     scene: &Arc<Scene>,
     observer: Observer<'_>,
 ) -> Result<Option<Run>, VariableError> {
+    shoot_by(stepping, scene, Settings::BARE, observer)
+}
+
+/// Simulates a shot as [`step_by`] does, with as much work as a reference may take, whose steps are smaller.
+///
+/// # Errors
+/// A [`VariableError`] if the scene is physically impossible.
+pub fn reference_by(
+    stepping: IntegrationMethod,
+    scene: &Arc<Scene>,
+    observer: Observer<'_>,
+) -> Result<Option<Run>, VariableError> {
+    let work_max = Some(3 * WORK_MAX);
+    shoot_by(stepping, scene, Settings { work_max, ..Settings::BARE }, observer)
+}
+
+fn shoot_by(
+    stepping: IntegrationMethod,
+    scene: &Arc<Scene>,
+    settings: Settings,
+    observer: Observer<'_>,
+) -> Result<Option<Run>, VariableError> {
     variables::validate(scene)?;
     if scene.contact.model == ContactModel::Appendix {
         return Ok(None);
     }
-    let mut run = run_by(scene, Settings::BARE, stepping, observer);
+    let mut run = run_by(scene, settings, stepping, observer);
     let behind = &mut |plate: Scene| {
-        step_by(stepping, &Arc::new(plate), observer).map(Option::unwrap_or_default)
+        shoot_by(stepping, &Arc::new(plate), settings, observer).map(Option::unwrap_or_default)
     };
     run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
     Ok(Some(run))

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::study::accuracy::method::{Answer, Compared, Results, answer_of, printed};
 use cmra_engine::model::impact::IntegrationMethod;
-use cmra_engine::model::impact::step_by;
+use cmra_engine::model::impact::reference_by;
 use cmra_engine::model::reference::Stored;
 use cmra_engine::model::run::{Observer, Outcome};
 use cmra_engine::model::scene::{ContactModel, InterfaceLaw, Scene};
@@ -129,7 +129,7 @@ impl References {
     /// Computes the references of a valid scene.
     pub fn from_scene(scene: &Arc<Scene>, observer: Observer<'_>) -> Self {
         let mut by = |stepping: IntegrationMethod| {
-            let run = step_by(stepping, scene, &mut *observer).ok().flatten()?;
+            let run = reference_by(stepping, scene, &mut *observer).ok().flatten()?;
             answer_of(&run).ok()
         };
         let engine = by(IntegrationMethod::Collocation(TIGHT));
