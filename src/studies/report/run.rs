@@ -188,8 +188,11 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     object["run_time_s"] = run.cost.took_s.into();
     object["omitted"] = run.omitted.clone().into();
     object["warnings"] = texts(&warnings(run));
-    let plastic =
-        |run: &Arc<Run>| with_results(json!({ "outcome": run.shot_outcome().word() }), run);
+    let plastic = |run: &Arc<Run>| {
+        let mut object = with_results(json!({ "outcome": run.shot_outcome().word() }), run);
+        object["warnings"] = run.warnings.iter().map(ToString::to_string).collect();
+        object
+    };
     object["plastic"] = run.plastic.as_ref().map(plastic).into();
     let known = if run.outcome == Outcome::Unmeasured { AT_START } else { ENERGY.len() };
     let energy = ENERGY.iter().enumerate().map(|(index, (key, _, get))| {
@@ -288,7 +291,7 @@ fn all_variables(scene: &Scene) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cmra_engine::model::run::{ContactMode, EventKind};
+    use cmra_engine::model::run::{ContactMode, EventKind, RunWarning};
 
     fn sample(t_s: f64, penetration_m: f64, mode: ContactMode) -> Sample {
         Sample { t_s, mode, penetration_m, ..Sample::default() }
@@ -313,5 +316,15 @@ mod tests {
         .map(|(t_s, kind)| Event { t_s, kind });
         let (first, last) = ("projectile first stops; nose buried", "greatest displacement");
         assert_eq!(placed(&jump(), &events), [(1, first.to_owned()), (3, last.to_owned())]);
+    }
+    /// An energy balance that does not close is said beside the numbers it belongs to.
+    #[test]
+    fn the_plastic_results_have_the_warnings_of_their_own_run() {
+        let drift = RunWarning::EnergyDrift { residual: 1e-5 };
+        let plastic = Run { warnings: vec![drift], ..Run::default() };
+        let run = Run { plastic: Some(Arc::new(plastic)), ..Run::default() };
+        let object: Value = serde_json::from_str(&json("a", &run, None)).unwrap();
+        assert!(!object["warnings"].to_string().contains("energy balance"));
+        assert!(object["plastic"]["warnings"][0].as_str().unwrap().contains("energy balance"));
     }
 }
