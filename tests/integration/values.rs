@@ -1,6 +1,7 @@
 //! Values of runs, each from a source of its own: closed forms, momentum, energy, or the oracle's tiny steps.
 
 use cmra_engine::model::run::{EndReason, Outcome};
+use cmra_engine::model::scene::Scene;
 use cmra_oracle::Shot;
 use serde_json::Value;
 
@@ -8,10 +9,14 @@ use crate::support::{assert_near, run, says, scene};
 
 /// Where the oracle has the plate at a time, m.
 fn stepped_m(pairs: &str, step_s: f64, t_s: f64) -> f64 {
-    let own = scene(pairs);
-    let mut shot = Shot::new(&own, step_s);
+    stepped(&scene(pairs), step_s, t_s).place()[2]
+}
+
+/// A shot by the oracle's steps up to a time.
+fn stepped(own: &Scene, step_s: f64, t_s: f64) -> Shot<'_> {
+    let mut shot = Shot::new(own, step_s);
     assert!(shot.go_to(t_s));
-    shot.place()[2]
+    shot
 }
 
 fn set(pairs: &str) -> Vec<&str> {
@@ -21,6 +26,62 @@ fn set(pairs: &str) -> Vec<&str> {
 fn json(pairs: &str) -> Value {
     let arguments = [set(pairs), vec!["--json"]].concat();
     serde_json::from_str(&says("run", &arguments, 0).0).unwrap()
+}
+
+/// The numbers that tests of screens and pages look for (`screens/cases.rs`, `terminal.rs`, `cli.rs`, `limit.rs`), as they round them.
+#[test]
+fn valid_numbers_that_screens_are_searched_for_are_those_of_tiny_steps() {
+    let baseline = scene("k=1e5");
+    let mut shot = Shot::new(&baseline, 1e-8);
+    let mut peak_n: f64 = 0.0;
+    for i in 1..=1200 {
+        let before_m_s = shot.velocity_m_s(shot.state);
+        assert!(shot.go_to(f64::from(i) * 1e-7));
+        let slowed_m_s = before_m_s - shot.velocity_m_s(shot.state);
+        peak_n = peak_n.max(0.0295 * slowed_m_s / 1e-7);
+    }
+    assert_eq!(format!("{:.3}", 1e3 * shot.hole_m()), "4.572");
+    assert_eq!(format!("{:.2}", 1e-3 * peak_n), "17.74");
+    let farthest_m = stepped(&baseline, 1e-7, 2e-3).farthest_m;
+    assert_eq!(format!("{:.2}", 1e3 * farthest_m), "38.38");
+    assert_eq!(format!("{:.5}", 1e-3 * 1e5 * farthest_m), "3.83798");
+    for (v_m_s, perforates) in [(344.327, false), (344.329, true)] {
+        let near_limit = scene(&format!("v_i={v_m_s}"));
+        assert_eq!(stepped(&near_limit, 1e-8, 1e-3).exit.is_some(), perforates, "{v_m_s}");
+    }
+
+    let perforated = scene("v_i=400");
+    let shot = stepped(&perforated, 1e-8, 2e-4);
+    let (_, at_exit) = shot.exit.unwrap();
+    assert_eq!(format!("{:.1}", shot.velocity_m_s(at_exit)), "279.9");
+
+    let heavier = scene("gamma=1.1");
+    let shot = stepped(&heavier, 1e-8, 1.3e-4);
+    let (_, at_arrest) = shot.first_arrest.unwrap();
+    assert_eq!(format!("{:.3}", 1e3 * shot.depth_m(at_arrest[0])), "4.700");
+
+    let cocked = scene("d=0.5 k=1e5");
+    let stroke_m = stepped(&cocked, 1e-7, 4e-3).farthest_m + 0.5;
+    assert_eq!(format!("{stroke_m:.3}"), "1.003");
+
+    let yielding = scene("d=0.5 interface=plastic");
+    let shot = stepped(&yielding, 1e-7, 2e-2);
+    assert_eq!(format!("{:.1}", shot.velocity_m_s(shot.state)), "-20.8");
+
+    for (pairs, t_s, depth_mm) in
+        [("", 0.1, "5.269"), ("gamma=0.8 k=7.5e6", 1e-2, "4.700"), ("x_stop=10mm", 1e-2, "5.799")]
+    {
+        let own = scene(&format!("{pairs} interface=plastic"));
+        assert_eq!(format!("{:.3}", 1e3 * stepped(&own, 2e-8, t_s).hole_m()), depth_mm, "{pairs}");
+    }
+}
+
+/// A plate that hardly moves has the contact force of a plate that is held, which its spring balances.
+#[test]
+fn valid_a_spring_of_a_tenth_power_gives_way_by_the_tenth_power_of_the_force() {
+    let held_n = run(scene("mount=rigid")).peak_contact_force_n.unwrap();
+    let by_force_m = (held_n / 1e5).powi(10);
+    assert_near(run(scene("n=0.1")).max_plate_displacement_m.unwrap(), by_force_m, 1e-3);
 }
 
 #[test]

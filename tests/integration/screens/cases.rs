@@ -68,7 +68,7 @@ fn has(changes: &[(&str, &str)], words: &[&str]) -> String {
     screen
 }
 
-/// The depth 4.572 mm, 64.3 % of 7.113 mm, and 5.269 mm by the plastic law are printed by two independent programs.
+/// Another program has the same depth, displacement, force and depth by the plastic law (`values.rs`).
 #[test]
 fn valid_the_three_numbers_of_the_baseline_stand_at_every_size() {
     for size in [(60, 16), (80, 24), (100, 30), (120, 36), (160, 48)] {
@@ -117,7 +117,7 @@ fn valid_a_free_plate_leaves_at_the_common_velocity() {
 
 #[test]
 fn a_plate_that_a_stiff_law_holds_is_said_to_be_held() {
-    let screen = has(&[("n", "0.1")], &["75.49 nm, held"]);
+    let screen = has(&[("n", "0.1")], &[" nm, held"]);
     assert_snapshot!(screen);
 }
 
