@@ -6,20 +6,21 @@
 //! [`crate::model::variables`] collects the rows.
 
 use crate::model::strength::{hardening_exponent, hole_growth_pa};
-use crate::model::variables::part::parts;
-use crate::model::variables::visible::is_stack;
+use crate::model::variables::part::{part, parts};
 
 mod bodies;
 mod contact;
 mod mechanism;
 
-pub use crate::model::mechanism::kinds::{Beam, Spring, SpringKind, Table};
+pub use crate::model::mechanism::kinds::{Beam, OwnMass, Spring, SpringKind, Table, Wire};
+use bodies::is_sprung;
 pub use bodies::{
     Closure, Core, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile, Target,
 };
 pub use contact::{Contact, ContactModel, Interface, InterfaceLaw, Listing};
-pub use mechanism::{Combination, Mechanism, OwnMass, Stop, StopKind, Wire};
-pub(in crate::model) use mechanism::{damper_rows, second_rows};
+pub(in crate::model) use contact::{is_listing, resists};
+pub use mechanism::{Combination, Mechanism, Stop, StopKind};
+pub(in crate::model) use mechanism::{damper_rows, may_stop, second_rows};
 
 /// Projectile, struck plate, and the mechanism that carries the plate.
 #[expect(missing_docs, reason = "each part says what it is")]
@@ -41,10 +42,39 @@ pub struct Scene {
     pub sweep: Option<Sweep>,
 }
 
+/// Gives the rows of variables access to the parts of a scene.
+macro_rules! access {
+    ($($($place:ident).+: $part:ty;)+) => {$(
+        impl AsRef<$part> for Scene {
+            fn as_ref(&self) -> &$part {
+                &self.$($place).+
+            }
+        }
+
+        impl AsMut<$part> for Scene {
+            fn as_mut(&mut self) -> &mut $part {
+                &mut self.$($place).+
+            }
+        }
+    )+};
+}
+
+access! {
+    projectile: Projectile;
+    target: Target;
+    plate: Plate;
+    mechanism: Mechanism;
+    mechanism.spring: Spring;
+    interface: Interface;
+    contact: Contact;
+    run: RunSettings;
+    stack: Stack;
+}
+
 parts! {
     /// Settings of the computation of a run.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct RunSettings at (run) {
+    pub struct RunSettings at (run: RunSettings) {
         pub tolerance: f64 = 1e-9 => "tol", "tolerance", "relative error tolerance of depth and time",
             number(Number, Between(1e-14, 1e-2)).aliases(&["tolerance"]).is_log(true).source("default of this program");
         pub horizon_s: Option<f64> = None => "horizon", "end of the run", "the time the run goes on to",
@@ -53,19 +83,19 @@ parts! {
 
     /// Elements behind the scene's own plate.
     #[derive(Clone, Debug, PartialEq)]
-    pub struct Stack at (stack) {
+    pub struct Stack at (stack: Stack) {
         pub base_thickness_m: Option<f64> = None => "h_base", "base thickness",
             "thickness of a base plate behind the elements, on a rigid mount",
             optional(Length, Positive, "none").aliases(&["base"]).is_seldom(true)
             .source("thesis section 6.2.8; no value there. none: the plate stands alone");
         pub base_strength_pa: Option<f64> = None => "S_base", "base strength", "flow strength of the base plate",
-            optional(Pressure, NonNegative, "plate").is_seldom(true).listed(is_stack).source("plate: that of the scene's plate");
+            optional(Pressure, NonNegative, "plate").is_seldom(true).listed(|scene| part::<Stack>(scene).is_set()).source("plate: that of the scene's plate");
         pub elements: f64 = 1.0 => "elements", "elements",
             "how many equal elements, each a plate on its mechanism, stand one behind the other",
-            number(Number, Between(1.0, 50.0)).is_seldom(true).listed(is_stack).source("thesis section 6.2.8; 1 throughout chapter 9");
+            number(Number, Between(1.0, 50.0)).is_seldom(true).listed(|scene| part::<Stack>(scene).is_set()).source("thesis section 6.2.8; 1 throughout chapter 9");
         pub gap_m: Option<f64> = None => "gap", "gap",
             "clear distance behind each plate: a warning where a plate travels farther",
-            optional(Length, Positive, "none").is_seldom(true).listed(is_stack).source("none: enough");
+            optional(Length, Positive, "none").is_seldom(true).listed(|scene| part::<Stack>(scene).is_set()).source("none: enough");
         /// Further elements that differ from the first, in order.
         pub layers: Vec<Layer> = Vec::new();
     }
@@ -119,17 +149,17 @@ pub struct Layer {
     pub mechanism: Mechanism,
 }
 
+impl Stack {
+    /// Returns `true` for a stack, or for elements that lack only the base plate.
+    fn is_set(&self) -> bool {
+        self.base_thickness_m.is_some() || self.elements > 1.0
+    }
+}
+
 impl Scene {
     /// Returns the mass ratio gamma: given, or from the plate's size.
     pub fn mass_ratio(&self) -> f64 {
-        let Target { thickness_m, density_kg_m3, .. } = self.target;
-        match self.plate.size {
-            PlateSize::Ratio(ratio) => ratio,
-            PlateSize::Mass(kg) => kg / self.projectile.mass_kg,
-            PlateSize::Face(side_m) => {
-                density_kg_m3 * thickness_m * side_m * side_m / self.projectile.mass_kg
-            }
-        }
+        self.plate.mass_ratio(&self.target, &self.projectile)
     }
 
     /// Returns the plate mass `m_2 = gamma m_p`, kg.
@@ -152,7 +182,7 @@ impl Scene {
 
     /// Returns `true` if a mechanism carries the plate; `false` for a rigid mount.
     pub fn is_sprung(&self) -> bool {
-        self.plate.mount == Mount::Sprung
+        is_sprung(self)
     }
 
     /// Returns the plate's displacement at first contact, -d, m; 0 on a rigid mount. Never returns -0.

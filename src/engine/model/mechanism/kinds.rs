@@ -7,9 +7,9 @@ use crate::model::labelled_enum::labelled_enum;
 use crate::model::mechanism::curve::Curve;
 use crate::model::mechanism::piece::Piece;
 use crate::model::power_law::{MIN_EXPONENT, PowerLaw};
-use crate::model::scene::{OwnMass, Scene, Wire};
-use crate::model::variables::part::{NO_VALUES, parts, placed};
-use crate::model::variables::{Group, Variable, VariableError};
+use crate::model::variables::error::VariableError;
+use crate::model::variables::part::{NO_VALUES, part, parts, placed};
+use crate::model::variables::row::{Group, Row};
 
 mod beam;
 mod bistable;
@@ -20,9 +20,11 @@ mod helix;
 mod normalised;
 mod power_law;
 mod table;
+mod wire;
 
 pub use beam::Beam;
 pub use table::Table;
+pub use wire::{OwnMass, Wire};
 
 /// Defines the spring and its kinds in the order of lists. A line has a module, its parameters, and the kinds with these parameters and
 /// their words in files and on screens.
@@ -37,7 +39,7 @@ macro_rules! kinds {
     ) => {
         parts! {
             $(#[$meta])*
-            pub struct Spring at (mechanism.spring) {
+            pub struct Spring at (mechanism.spring: Spring) {
                 $($common)+
                 $(#[doc = concat!("Parameters of ", $("`", $word, "` "),+)] pub $field: $field::$part = $field::$part::default();)+
             }
@@ -62,18 +64,20 @@ macro_rules! kinds {
             }
         }
 
-        /// Returns the variables of the spring.
-        pub(in crate::model) fn spring_rows() -> Vec<Variable> {
-            let of_kind = |listed, rows| placed(Group::Mechanism, listed, Scene::is_sprung, rows);
-            [
+        /// Returns the rows of the spring and of its kinds, which have an effect under a condition.
+        pub(in crate::model) fn spring_rows<S>(used: fn(&S) -> bool) -> Vec<Row<S>>
+        where
+            S: AsRef<Spring> + AsMut<Spring>,
+        {
+            let of_kind = |listed, rows| placed(Group::Mechanism, listed, used, rows);
+            let rows: [Vec<Row<S>>; _] = [
                 of_kind(|_| true, Spring::rows()),
                 $(of_kind(
-                    |scene| matches!(scene.mechanism.spring.kind, $(SpringKind::$kind)|+),
+                    |scene| matches!(part::<Spring>(scene).kind, $(SpringKind::$kind)|+),
                     $field::$part::rows(),
                 ),)+
-                of_kind(is_mass_of_wire, Wire::rows()),
-            ]
-            .concat()
+            ];
+            rows.into_iter().flatten().collect()
         }
     };
 }
@@ -86,23 +90,23 @@ kinds! {
             choice().own_name("spring_kind").source("thesis equation 9.3, chapters 5 and 6");
         pub coefficient: f64 = 1e5 => "k", "stiffness", "spring coefficient: the spring's force is k |x|^n sgn(x)",
             number(SpringCoefficient, NonNegative).own_name("stiffness").thesis_range(Some((0.0, 7.5e6))).is_log(true)
-            .when(|scene| scene.mechanism.spring.kind == SpringKind::PowerLaw)
+            .when(|scene| part::<Spring>(scene).kind == SpringKind::PowerLaw)
             .source("thesis Table 9.2 (range searched; the text of 9.2.2 says 10 MN/m)");
         pub exponent: f64 = 1.0 => "n", "exponent", "spring exponent",
             number(Number, From(MIN_EXPONENT)).thesis_range(Some((0.1, 3.0))).is_log(true)
-            .when(|scene| matches!(scene.mechanism.spring.kind, SpringKind::PowerLaw | SpringKind::Normalised))
-            .used(|scene| !scene.mechanism.spring.is_absent())
+            .when(|scene| matches!(part::<Spring>(scene).kind, SpringKind::PowerLaw | SpringKind::Normalised))
+            .used(|scene| !part::<Spring>(scene).is_absent())
             .source("thesis Table 9.2 (range searched)");
         pub count: f64 = 1.0 => "N_spring", "springs", "number of equal springs that act in parallel",
             number(Number, Positive)
-            .when(|scene| scene.mechanism.spring.kind != SpringKind::PowerLaw || !scene.mechanism.spring.is_single())
+            .when(|scene| part::<Spring>(scene).kind != SpringKind::PowerLaw || !part::<Spring>(scene).is_single())
             .source("thesis Figure 6.9; 1 unless given");
         pub own_mass: OwnMass = OwnMass::Ignored => "own_mass", "spring inertia",
             "whether the part of the spring that moves with the plate adds to its mass",
             choice().is_seldom(true).source("thesis section 8.3.1: springs are massless");
         pub mass_kg: Option<f64> = None => "m_spring", "spring mass", "the spring's whole mass",
             optional(Mass, NonNegative, "auto")
-            .when(|scene| scene.mechanism.spring.own_mass == OwnMass::Counted || scene.mechanism.spring.mass_kg.is_some())
+            .when(|scene| part::<Spring>(scene).own_mass == OwnMass::Counted || part::<Spring>(scene).mass_kg.is_some())
             .source("auto: of its beams, U/e_spring, or of a coil 4 rho G U/tau^2 (thesis section 9.5.1)");
         /// Wire of a coil spring, for its mass.
         pub wire: Wire = Wire::default();
@@ -193,11 +197,4 @@ impl Spring {
     pub fn yields_at_m(&self) -> Option<f64> {
         self.law().yields_at_m(self)
     }
-}
-
-/// Returns `true` if the mass of a coil spring follows from its wire: without a given specific energy.
-fn is_mass_of_wire(scene: &Scene) -> bool {
-    let mechanism = &scene.mechanism;
-    let is_coil = mechanism.spring.power_law().is_some();
-    is_coil && mechanism.energy_j_kg.is_none() && mechanism.has_springs()
 }

@@ -1,16 +1,16 @@
 //! Projectile, and plate as a target and as a body.
 
 use crate::model::labelled_enum::labelled_enum;
-use crate::model::scene::Scene;
+use crate::model::scene::contact::{Contact, is_listing, penetrates, resists};
+use crate::model::scene::mechanism::{Mechanism, has_stop};
 use crate::model::units::Dimension;
-use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, parts, rows};
-use crate::model::variables::visible::{has_stop, is_listing, is_oblique, penetrates, resists};
-use crate::model::variables::{Allowed, Kind, Number, Variable};
+use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, part, part_mut, parts, rows};
+use crate::model::variables::row::{Allowed, RowKind, RowNumber};
 
 parts! {
     /// Rigid projectile.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Projectile at (projectile) {
+    pub struct Projectile at (projectile: Projectile) reads(Plate, Contact) {
         pub mass_kg: f64 = 0.0295 => "m_p", "projectile mass", "projectile mass",
             number(Mass, Positive).own_name("projectile_mass").source(TABLE_9_1);
         pub tip_radius_m: f64 = 0.00635 => "R", "tip radius", "radius of the hemispherical tip and of the body behind it",
@@ -21,32 +21,32 @@ parts! {
             number(Angle, Below(0.0, 90.0)).source("thesis Appendix A.1; 0 throughout chapter 9");
         pub density_kg_m3: f64 = 7850.0 => "rho_p", "density", "projectile density, for the warnings of ricochet (by Tate, of a rod m_p/(rho_p pi R^2) long) and of a nose sphere heavier than m_p",
             number(Density, Positive).own_name("projectile_density")
-            .when(|scene| is_oblique(scene) || scene.projectile.nose_sphere_kg() > scene.projectile.mass_kg)
+            .when(|scene| is_oblique(scene) || part::<Projectile>(scene).is_lighter_than_nose())
             .source("assumption: steel");
         pub strength_pa: f64 = 1e9 => "Y_p", "yield strength", "projectile strength, used for the ricochet warning only",
             number(Pressure, Positive).own_name("projectile_strength").when(is_oblique).source("assumption: 1 GPa");
         pub nose: Nose = Nose::Hemispherical => "nose", "nose shape",
             "shape of the nose, which chooses the law: hemispherical or pointed (hole growth), blunt (a rigid cylinder) or fragment (a chisel of soft steel): a plug",
-            choice().is_seldom(true).listed(|scene| scene.projectile.nose != Nose::Hemispherical)
+            choice().is_seldom(true).listed(|scene| part::<Projectile>(scene).nose != Nose::Hemispherical)
             .source("hemispherical: the thesis; plug: the form of Recht and Ipson (1963), fitted on the REL database");
         pub core: Core = Core::Steel => "core", "core", "material of the core: it chooses the class of measurements and changes no force",
-            choice().is_seldom(true).listed(|scene| scene.projectile.core != Core::Steel).source("assumption: steel");
+            choice().is_seldom(true).listed(|scene| part::<Projectile>(scene).core != Core::Steel).source("assumption: steel");
         pub weight: bool = false => "weight", "weight",
             "on: the projectile falls on a level plate, and its weight m_p g presses on for as long as both touch; the plate's own is in equilibrium at x = 0",
-            is(WEIGHT).is_seldom(true).listed(|scene| scene.projectile.weight).used(falls)
+            switch().is_seldom(true).listed(|scene| part::<Projectile>(scene).weight).used(falls)
             .source("off: the thesis; g = 9.80665 m/s^2");
     }
 
     /// Plate as a target.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Target at (target) {
+    pub struct Target at (target: Target) reads(Projectile, Plate, Contact) {
         pub thickness_m: f64 = 0.0254 => "h", "plate thickness", "plate thickness", number(Length, Positive)
             .used(|scene| penetrates(scene) || gives_mass(scene)).source(TABLE_9_1);
         pub density_kg_m3: f64 = 2710.0 => "rho", "plate density", "plate density",
             number(Density, Positive).used(|scene| resists(scene) || gives_mass(scene)).source("thesis Table 9.1 (the Appendix has 2780)");
-        /// Given flow strength; [`Scene::flow_strength_pa`] is the value in effect.
+        /// Given flow strength; [`Scene::flow_strength_pa`](super::Scene::flow_strength_pa) is the value in effect.
         pub flow_strength_pa: f64 = 1.52e8 => "S_y", "flow strength", "dynamic flow strength of the plate",
-            number(Pressure, NonNegative).aliases(&["Sy"]).used(|scene| resists(scene) && scene.target.closure == Closure::Given)
+            number(Pressure, NonNegative).aliases(&["Sy"]).used(|scene| resists(scene) && part::<Target>(scene).closure == Closure::Given)
             .source("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6");
         pub closure: Closure = Closure::Given => "closure", "source of S_y",
             "where S_y comes from: given, 2 Y (with dishing), a spherical cavity, a cylindrical one in a hardening metal (both without dishing), or by-thickness",
@@ -54,27 +54,27 @@ parts! {
             .source("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y)); cylindrical: Luk and Forrestal (1987), with UTS");
         pub yield_pa: f64 = 75.8e6 => "Y", "yield strength", "static yield strength, for a closure",
             number(Pressure, Positive).own_name("yield_strength").is_seldom(true)
-            .when(|scene| scene.target.closure != Closure::Given).used(resists).source("thesis Appendix A.1: 75.8 MPa");
+            .when(|scene| part::<Target>(scene).closure != Closure::Given).used(resists).source("thesis Appendix A.1: 75.8 MPa");
         pub tensile_pa: Option<f64> = None => "UTS", "tensile strength",
             "engineering ultimate tensile strength, for the hardening; none, or below Y: no hardening",
             optional(Pressure, Positive, "none").own_name("tensile_strength").is_seldom(true).used(resists).when(hardens)
             .source("none: the thesis needs none");
         pub modulus_pa: f64 = 73.1e9 => "E", "elastic modulus", "modulus of elasticity, for cavity expansion and for the plug",
             number(Pressure, Positive).is_seldom(true).used(resists)
-            .when(|scene| hardens(scene) || scene.target.closure == Closure::Cavity)
+            .when(|scene| hardens(scene) || part::<Target>(scene).closure == Closure::Cavity)
             .source("aluminium 2024; the thesis needs none");
         pub drag_coefficient: f64 = 0.5 => "C_d", "drag coefficient",
             "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
-            is(DRAG).aliases(&["Cd"])
-            .used(|scene| resists(scene) && (!scene.target.closure.chooses_drag() || scene.target.drag == DragSource::Given))
+            is(drag()).aliases(&["Cd"])
+            .used(|scene| resists(scene) && (!part::<Target>(scene).closure.chooses_drag() || part::<Target>(scene).drag == DragSource::Given))
             .source(TABLE_9_1);
         pub drag: DragSource = DragSource::Closure => "drag", "source of C_d",
             "where C_d comes from with closure = cylindrical or by-thickness: closure (and nose), or given; setting C_d makes it given",
-            choice().is_seldom(true).when(|scene| resists(scene) && scene.target.closure.chooses_drag())
+            choice().is_seldom(true).when(|scene| resists(scene) && part::<Target>(scene).closure.chooses_drag())
             .source("0.5 with 2 Y (Virostek); with a cavity 0.212 for an ogive of CRH 3, else 1");
         pub dishing: bool = true => "dishing", "dishing",
             "the plate's local bulge takes up about one projectile diameter of travel",
-            is(DISHING).used(|scene| penetrates(scene) && dishes(scene)).source("thesis section 8.3.1 and Appendix A.2");
+            is(dishing()).used(|scene| penetrates(scene) && dishes(scene)).source("thesis section 8.3.1 and Appendix A.2");
         pub criterion: Criterion = Criterion::Passage => "criterion", "criterion",
             "when the plate counts as perforated: passage (navy: the nose is clear of the rear face) or protrusion (army: it stands out)",
             choice().is_seldom(true).used(penetrates).source("passage: the thesis");
@@ -82,16 +82,16 @@ parts! {
 
     /// Plate as a body.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Plate at (plate) {
+    pub struct Plate at (plate: Plate) reads(Projectile, Target, Mechanism, Contact) {
         pub mount: Mount = Mount::Sprung => "mount", "mount", "sprung: carried by spring and damper; rigid: it cannot move",
             choice().source("thesis section 9.3 (rigid: the baseline)");
         /// Input that defines the plate's size.
         pub size: PlateSize = PlateSize::Ratio(1.0) => each(sizes);
         pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d",
             number(Length, NonNegative).thesis_range(Some((0.0, 0.5)))
-            .used(|scene| scene.is_sprung() && (scene.mechanism.has_springs() || has_stop(scene))).source(TABLE_9_2);
+            .used(|scene| is_sprung(scene) && (part::<Mechanism>(scene).has_springs() || has_stop(scene))).source(TABLE_9_2);
         pub velocity_m_s: f64 = 0.0 => "w_0", "plate speed", "plate velocity at first contact, away from the shot",
-            number(Velocity, Closing).own_name("plate_velocity").is_seldom(true).used(Scene::is_sprung)
+            number(Velocity, Closing).own_name("plate_velocity").is_seldom(true).used(is_sprung)
             .source("thesis Appendix A.1, y(2), and section 4.3.2; 0 throughout chapter 9; in a stack it is that of the first plate");
     }
 }
@@ -177,7 +177,26 @@ pub enum PlateSize {
     Face(f64),
 }
 
+impl Plate {
+    /// Returns the mass ratio gamma: given, or from the plate's size.
+    pub(super) fn mass_ratio(&self, target: &Target, projectile: &Projectile) -> f64 {
+        let Target { thickness_m, density_kg_m3, .. } = target;
+        match self.size {
+            PlateSize::Ratio(ratio) => ratio,
+            PlateSize::Mass(kg) => kg / projectile.mass_kg,
+            PlateSize::Face(side_m) => {
+                density_kg_m3 * thickness_m * side_m * side_m / projectile.mass_kg
+            }
+        }
+    }
+}
+
 impl Projectile {
+    /// Returns `true` if the nose sphere is heavier than the projectile.
+    fn is_lighter_than_nose(&self) -> bool {
+        self.nose_sphere_kg() > self.mass_kg
+    }
+
     /// Returns the mass of the sphere of which the nose is half, kg.
     pub fn nose_sphere_kg(&self) -> f64 {
         let volume_m3 = 4.0 / 3.0 * std::f64::consts::PI * self.tip_radius_m.powi(3);
@@ -269,25 +288,36 @@ impl Closure {
     }
 }
 
+/// Returns `true` for an oblique impact.
+fn is_oblique(scene: &impl AsRef<Projectile>) -> bool {
+    scene.as_ref().obliquity_deg > 0.0
+}
+
+/// Returns `true` if a mechanism carries the plate; `false` for a rigid mount.
+pub(super) fn is_sprung(scene: &impl AsRef<Plate>) -> bool {
+    scene.as_ref().mount == Mount::Sprung
+}
+
 /// Returns `true` if hardening of the plate has an effect: in a cylindrical cavity, and in the shear strength of a plug.
-fn hardens(scene: &Scene) -> bool {
-    let Scene { projectile, target, .. } = scene;
-    target.closure.chooses_drag() || projectile.nose.shears() && target.closure != Closure::Given
+fn hardens<S: AsRef<Projectile> + AsRef<Target>>(scene: &S) -> bool {
+    let closure = part::<Target>(scene).closure;
+    closure.chooses_drag() || part::<Projectile>(scene).nose.shears() && closure != Closure::Given
 }
 
 /// Returns `true` if dishing can be chosen: the closure may determine it, and only a hemisphere dishes a plate.
-fn dishes(scene: &Scene) -> bool {
-    !scene.target.closure.chooses_drag() && scene.projectile.nose == Nose::Hemispherical
+fn dishes<S: AsRef<Projectile> + AsRef<Target>>(scene: &S) -> bool {
+    !part::<Target>(scene).closure.chooses_drag()
+        && part::<Projectile>(scene).nose == Nose::Hemispherical
 }
 
 /// Returns `true` if the weight can do work.
-fn falls(scene: &Scene) -> bool {
-    scene.is_sprung() && !is_listing(scene)
+fn falls<S: AsRef<Plate> + AsRef<Contact>>(scene: &S) -> bool {
+    is_sprung(scene) && !is_listing(scene)
 }
 
 /// Returns `true` if the plate's mass follows from its material and thickness.
-fn gives_mass(scene: &Scene) -> bool {
-    scene.is_sprung() && matches!(scene.plate.size, PlateSize::Face(_))
+fn gives_mass(scene: &impl AsRef<Plate>) -> bool {
+    is_sprung(scene) && matches!(scene.as_ref().size, PlateSize::Face(_))
 }
 
 impl PlateSize {
@@ -304,56 +334,74 @@ impl PlateSize {
     }
 }
 
-/// Kind of the dishing switch. Shows the value in effect, because a closure by thickness determines it.
-const DISHING: Kind = Kind::Switch {
-    get: |scene| scene.target_in_effect().dishing,
-    set: |scene, on| scene.target.dishing = on,
-};
-/// Kind of the switch for the projectile's weight.
-const WEIGHT: Kind = Kind::Switch {
-    get: |scene| scene.projectile.weight,
-    set: |scene, on| scene.projectile.weight = on,
-};
-const DRAG: Kind = Kind::Number(Number {
-    get: |scene| Some(scene.target_in_effect().drag_coefficient),
-    set: |scene, value| {
-        scene.target.drag_coefficient = value.unwrap_or_default();
-        scene.target.give_drag();
-    },
-    ..Number::new(Dimension::Number, Allowed::NonNegative)
-});
+/// Returns the target of a scene in effect.
+fn in_effect<S: AsRef<Projectile> + AsRef<Target>>(scene: &S) -> Target {
+    part::<Target>(scene).in_effect(part(scene))
+}
 
-/// Returns the rows of the inputs that define the plate's size.
-fn sizes() -> Vec<Variable> {
-    macro_rules! size {
-        ($quantity:ident, $size:ident) => {
-            Number {
-                absent: Some("none"),
-                get: |scene| match scene.plate.size {
-                    PlateSize::$size(value) => Some(value),
-                    _ => None,
-                },
-                set: |scene, value| match (value, scene.plate.size) {
-                    (Some(value), _) => scene.plate.size = PlateSize::$size(value),
-                    (None, PlateSize::$size(_)) => {
-                        scene.plate.size = PlateSize::Ratio(scene.mass_ratio());
-                    }
-                    (None, _) => {}
-                },
-                ..Number::new(Dimension::$quantity, Allowed::Positive)
-            }
-        };
+/// Returns the kind of the dishing switch. Shows the value in effect, because a closure by thickness determines it.
+fn dishing<S>() -> RowKind<S>
+where
+    S: AsRef<Projectile> + AsRef<Target> + AsMut<Target>,
+{
+    RowKind::Switch {
+        get: |scene| in_effect(scene).dishing,
+        set: |scene, on| part_mut::<Target>(scene).dishing = on,
     }
-    let gamma =
-        Number { absent: None, get: |scene| Some(scene.mass_ratio()), ..size!(Number, Ratio) };
-    rows! { (plate)
-        mass_ratio: f64 => "gamma", "mass ratio", "mass ratio, plate mass over projectile mass",
-            is(Kind::Number(gamma)).thesis_range(Some((0.8, 7.0))).used(Scene::is_sprung).source(TABLE_9_2);
-        mass_kg: f64 => "m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it",
-            is(Kind::Number(size!(Mass, Mass))).own_name("plate_mass").aliases(&["m2"]).is_seldom(true).used(Scene::is_sprung)
-            .listed(|scene| matches!(scene.plate.size, PlateSize::Mass(_))).source("none: gamma gives the mass");
-        face_m: f64 => "face", "plate side", "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
-            is(Kind::Number(size!(Length, Face))).is_seldom(true).used(Scene::is_sprung)
-            .listed(|scene| matches!(scene.plate.size, PlateSize::Face(_))).source("none: gamma gives the mass");
-    }
+}
+
+/// Returns the kind of the drag coefficient. Shows the value in effect; a value that is set is a given one.
+fn drag<S>() -> RowKind<S>
+where
+    S: AsRef<Projectile> + AsRef<Target> + AsMut<Target>,
+{
+    RowKind::Number(RowNumber {
+        get: |scene| Some(in_effect(scene).drag_coefficient),
+        set: |scene, value| {
+            let target = part_mut::<Target>(scene);
+            target.drag_coefficient = value.unwrap_or_default();
+            target.give_drag();
+        },
+        ..RowNumber::new(Dimension::Number, Allowed::NonNegative)
+    })
+}
+
+/// Returns the mass ratio of a scene.
+fn mass_ratio<S: AsRef<Projectile> + AsRef<Target> + AsRef<Plate>>(scene: &S) -> f64 {
+    part::<Plate>(scene).mass_ratio(part(scene), part(scene))
+}
+
+/// Kind of an input that defines the plate's size.
+macro_rules! size {
+    ($quantity:ident, $size:ident) => {
+        RowNumber {
+            absent: Some("none"),
+            get: |scene| match part::<Plate>(scene).size {
+                PlateSize::$size(value) => Some(value),
+                _ => None,
+            },
+            set: |scene, value| match (value, part::<Plate>(scene).size) {
+                (Some(value), _) => part_mut::<Plate>(scene).size = PlateSize::$size(value),
+                (None, PlateSize::$size(_)) => {
+                    part_mut::<Plate>(scene).size = PlateSize::Ratio(mass_ratio(scene));
+                }
+                (None, _) => {}
+            },
+            ..RowNumber::new(Dimension::$quantity, Allowed::Positive)
+        }
+    };
+}
+
+rows! {
+    /// Returns the rows of the inputs that define the plate's size.
+    fn sizes at (plate: Plate) reads(Projectile, Target);
+    mass_ratio: f64 => "gamma", "mass ratio", "mass ratio, plate mass over projectile mass",
+        is(RowKind::Number(RowNumber { absent: None, get: |scene| Some(mass_ratio(scene)), ..size!(Number, Ratio) }))
+        .thesis_range(Some((0.8, 7.0))).used(is_sprung).source(TABLE_9_2);
+    mass_kg: f64 => "m_2", "plate mass", "plate mass; gamma = m_2/m_p follows from it",
+        is(RowKind::Number(size!(Mass, Mass))).own_name("plate_mass").aliases(&["m2"]).is_seldom(true).used(is_sprung)
+        .listed(|scene| matches!(part::<Plate>(scene).size, PlateSize::Mass(_))).source("none: gamma gives the mass");
+    face_m: f64 => "face", "plate side", "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
+        is(RowKind::Number(size!(Length, Face))).is_seldom(true).used(is_sprung)
+        .listed(|scene| matches!(part::<Plate>(scene).size, PlateSize::Face(_))).source("none: gamma gives the mass");
 }

@@ -1,16 +1,16 @@
 //! Mechanism that carries the plate: springs, damper and stop.
 
 use crate::model::labelled_enum::labelled_enum;
-use crate::model::mechanism::kinds::{Spring, SpringKind};
+use crate::model::mechanism::kinds::{OwnMass, Spring, SpringKind};
 use crate::model::power_law::{MIN_EXPONENT, PowerLaw};
-use crate::model::variables::Variable;
-use crate::model::variables::part::{TABLE_9_2, parts, rows};
-use crate::model::variables::visible::{has_stop, has_stop_of};
+use crate::model::scene::bodies::{Plate, is_sprung};
+use crate::model::scene::contact::{Contact, is_listing};
+use crate::model::variables::part::{TABLE_9_2, part, parts, rows};
 
 parts! {
     /// Springs, damper and stop.
     #[derive(Clone, Debug, PartialEq)]
-    pub struct Mechanism at (mechanism) {
+    pub struct Mechanism at (mechanism: Mechanism) {
         /// Damper.
         pub damper: PowerLaw = PowerLaw::NONE;
         /// First spring.
@@ -22,7 +22,7 @@ parts! {
         pub second: PowerLaw = PowerLaw { coefficient: 1e5, exponent: 1.0 };
         pub energy_j_kg: Option<f64> = None => "e_spring", "specific energy",
             "energy per mass of the spring or absorber, which gives its least mass; without it only that of coils is known",
-            optional(SpecificEnergy, Positive, "auto").aliases(&["energy_j"]).is_seldom(true).listed(|scene| scene.mechanism.energy_j_kg.is_some())
+            optional(SpecificEnergy, Positive, "auto").aliases(&["energy_j"]).is_seldom(true).listed(|scene| part::<Mechanism>(scene).energy_j_kg.is_some())
             .source("auto: tau^2/(4 rho G) of the wire; the library of absorbers has others");
         /// Stop.
         pub stop: Stop = Stop::default();
@@ -30,7 +30,7 @@ parts! {
 
     /// Mechanical stop, which acts on the plate.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Stop at (mechanism.stop) {
+    pub struct Stop at (mechanism: Mechanism.stop) reads(Plate, Contact) {
         pub position_m: Option<f64> = None => "x_stop", "stop position", "where the plate meets a mechanical stop",
             optional(Length, Any, "none").aliases(&["stop"]).source("thesis sections 9.5.1 and 9.6");
         pub kind: StopKind = StopKind::Rigid => "stop_kind", "kind of stop",
@@ -43,17 +43,6 @@ parts! {
         pub damping_n_s_m: f64 = 0.0 => "b_stop", "stop damping", "damping of an elastic stop (it only pushes)",
             number(Damping, NonNegative).is_log(true).used(|scene| has_stop_of(scene, StopKind::Elastic));
     }
-
-    /// Wire of a coil spring: spring steel.
-    #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Wire at (mechanism.spring.wire) {
-        pub density_kg_m3: f64 = 7850.0 => "rho_wire", "wire density", "density of the wire",
-            number(Density, Positive).is_seldom(true).source("spring steel");
-        pub shear_modulus_pa: f64 = 79.3e9 => "G_wire", "shear modulus", "shear modulus of the wire",
-            number(Pressure, Positive).is_seldom(true).source("spring steel");
-        pub shear_strength_pa: f64 = 700e6 => "tau_wire", "wire strength", "shear stress the wire may have",
-            number(Pressure, Positive).is_seldom(true).source("spring steel");
-    }
 }
 
 labelled_enum! {
@@ -64,13 +53,6 @@ labelled_enum! {
         Parallel = "parallel",
     }
 
-    /// Treatment of the springs' own mass.
-    pub enum OwnMass: word {
-        Ignored = "ignored",
-        /// The moving fraction adds to the plate's mass.
-        Counted = "counted",
-    }
-
     /// Kind of stop.
     pub enum StopKind: word {
         Rigid = "rigid",
@@ -78,32 +60,43 @@ labelled_enum! {
     }
 }
 
-/// Returns the rows of the damper.
-pub(in crate::model) fn damper_rows() -> Vec<Variable> {
-    rows! { (mechanism.damper)
-        coefficient: f64 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
-            number(DamperCoefficient, NonNegative).own_name("damping").thesis_range(Some((0.0, 2000.0))).is_log(true).source(TABLE_9_2);
-        exponent: f64 => "m", "damper exponent", "damper exponent",
-            number(Number, From(MIN_EXPONENT)).is_log(true).used(|scene| !scene.mechanism.damper.is_absent()).source("thesis section 9.2.2: 1");
-    }
+rows! {
+    /// Returns the rows of the damper.
+    fn damper_rows at (mechanism: Mechanism.damper);
+    coefficient: f64 => "b", "damping", "damper coefficient: the damper's force is b |w|^m sgn(w)",
+        number(DamperCoefficient, NonNegative).own_name("damping").thesis_range(Some((0.0, 2000.0))).is_log(true).source(TABLE_9_2);
+    exponent: f64 => "m", "damper exponent", "damper exponent",
+        number(Number, From(MIN_EXPONENT)).is_log(true).used(|scene| !part::<Mechanism>(scene).damper.is_absent()).source("thesis section 9.2.2: 1");
 }
 
-/// Returns the rows of the second spring's power law.
-pub(in crate::model) fn second_rows() -> Vec<Variable> {
-    rows! { (mechanism.second)
-        coefficient: f64 => "k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)",
-            number(SpringCoefficient, NonNegative).is_log(true).source("thesis section 6.2.8");
-        exponent: f64 => "n_2", "second exponent", "exponent of the second spring",
-            number(Number, From(MIN_EXPONENT)).is_log(true).used(|scene| scene.mechanism.second.coefficient > 0.0).source("thesis section 6.2.8");
-    }
+rows! {
+    /// Returns the rows of the second spring's power law.
+    fn second_rows at (mechanism: Mechanism.second);
+    coefficient: f64 => "k_2", "second stiffness", "coefficient of the second spring: its force is k_2 |x|^n_2 sgn(x)",
+        number(SpringCoefficient, NonNegative).is_log(true).source("thesis section 6.2.8");
+    exponent: f64 => "n_2", "second exponent", "exponent of the second spring",
+        number(Number, From(MIN_EXPONENT)).is_log(true).used(|scene| part::<Mechanism>(scene).second.coefficient > 0.0).source("thesis section 6.2.8");
 }
 
-impl Wire {
-    /// Returns the maximum stored energy of a helical spring over the mass of its active coils, tau²/(4 rho G), J/kg, for any stiffness.
-    pub fn specific_energy_j_kg(&self) -> f64 {
-        let Self { density_kg_m3, shear_modulus_pa, shear_strength_pa: tau } = self;
-        tau * tau / (4.0 * density_kg_m3 * shear_modulus_pa)
-    }
+/// Returns `true` if the plate can meet a stop.
+pub(in crate::model) fn may_stop<S: AsRef<Plate> + AsRef<Contact>>(scene: &S) -> bool {
+    is_sprung(scene) && !is_listing(scene)
+}
+
+/// Returns `true` if the plate has a stop.
+pub(super) fn has_stop<S>(scene: &S) -> bool
+where
+    S: AsRef<Plate> + AsRef<Contact> + AsRef<Mechanism>,
+{
+    may_stop(scene) && part::<Mechanism>(scene).stop.position_m.is_some()
+}
+
+/// Returns `true` if the plate has a stop of this kind.
+fn has_stop_of<S>(scene: &S, kind: StopKind) -> bool
+where
+    S: AsRef<Plate> + AsRef<Contact> + AsRef<Mechanism>,
+{
+    has_stop(scene) && part::<Mechanism>(scene).stop.kind == kind
 }
 
 impl Mechanism {

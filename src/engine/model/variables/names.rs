@@ -1,6 +1,8 @@
-//! Names of variables: lookup, long names in user notation, and hints for unknown names.
+//! Names of variables: lookup, setting by name, long names in user notation, and hints for unknown names.
 
-use super::{VARIABLES, Variable, VariableError};
+use super::VariableError;
+use super::table::{VARIABLES, Variable};
+use crate::model::scene::Scene;
 
 /// Most frequently used symbols of the thesis.
 const DEFAULT: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
@@ -80,6 +82,33 @@ pub fn close(what: &str, name: &str, mut candidates: Vec<(usize, &str)>) -> Opti
     let close = candidates.iter().take_while(|(distance, _)| *distance <= limit).take(SHOWN_MAX);
     let close: Vec<String> = close.map(|(_, candidate)| format!("`{candidate}`")).collect();
     (!close.is_empty()).then(|| format!("did you mean {what}{}?", close.join(" or ")))
+}
+
+/// Sets a variable by name from text, as `--set NAME=VALUE` does; the scene is unchanged on error.
+pub fn set_by_name(scene: &mut Scene, name: &str, text: &str) -> Result<(), VariableError> {
+    let variable = find(name.trim())?;
+    let value = variable.parse(scene, text, variable.bare(name.trim()))?;
+    variable.set(scene, value)
+}
+
+/// Returns a scene with changed variables, in the format of `--set`: `k=1e5 n=0.5`.
+pub fn changed(mut scene: Scene, changes: &str) -> Result<Scene, VariableError> {
+    for change in changes.split_whitespace() {
+        let (name, value) = change.split_once('=').unwrap_or((change, ""));
+        set_by_name(&mut scene, name, value)?;
+    }
+    Ok(scene)
+}
+
+/// Applies [`changed`] to the scene of Table 9.1 with gamma = 1 and without spring and damper.
+pub fn changed_free_plate(changes: &str) -> Result<Scene, VariableError> {
+    changed(Scene::default(), &format!("k=0 {changes}"))
+}
+
+/// Returns the default scene with changes such as `k=1e6 n=0.5`, in SI units.
+#[cfg(test)]
+pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
+    changed(Scene::default(), pairs).expect("values the variables take")
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! Rules between the values of a scene, and requirements of studies.
 
-use super::visible::resists;
-use super::{VARIABLES, VariableError};
+use super::VariableError;
+use super::table::VARIABLES;
 use crate::model::plug::{Metal, Plug};
 use crate::model::run::plate_name;
 use crate::model::scene::{
-    Closure, Combination, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target,
+    Closure, Combination, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target, resists,
 };
 use crate::model::stack;
 use crate::model::units::{shortest, significant};

@@ -1,7 +1,9 @@
-//! Visibility and use of variables: predicates on the scene, referenced by parts and rows, and their description in words.
+//! Visibility and use of variables, and their description in words.
 
-use super::{Group, VARIABLES, Value, Variable, changed};
-use crate::model::scene::{Combination, ContactModel, PlateSize, Scene, StopKind};
+use super::names::changed;
+use super::row::{Group, Value};
+use super::table::{VARIABLES, Variable};
+use crate::model::scene::{PlateSize, Scene};
 
 /// Returns `true` if a variable has an effect on this scene.
 pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
@@ -43,54 +45,6 @@ pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
     let of_stop = variable.group == Group::Stop && !places_stop;
     let is_there = is_listed(variable, scene) || (scene.is_sprung() && sizes_plate(variable));
     is_there && (!of_stop || is_used(variable, scene))
-}
-
-/// Returns `true` if a second spring acts.
-pub(in crate::model) fn has_second(scene: &Scene) -> bool {
-    scene.is_sprung() && scene.mechanism.combination == Combination::Parallel
-}
-
-pub(in crate::model) fn is_oblique(scene: &Scene) -> bool {
-    scene.projectile.obliquity_deg > 0.0
-}
-
-pub(in crate::model) fn is_stack(scene: &Scene) -> bool {
-    scene.is_stack() || scene.stack.elements > 1.0
-}
-
-pub(in crate::model) fn is_hydrodynamic(scene: &Scene) -> bool {
-    scene.contact.model == ContactModel::Hydrodynamic
-}
-
-pub(in crate::model) fn is_listing(scene: &Scene) -> bool {
-    scene.contact.model == ContactModel::Appendix
-}
-
-/// Returns `true` if the projectile penetrates. The depth then depends on the plate's thickness.
-pub(in crate::model) fn penetrates(scene: &Scene) -> bool {
-    scene.contact.model != ContactModel::InitialVelocity
-}
-
-/// Returns `true` if the plate's resistance has an effect. Other contact models use it only for missing values.
-pub(in crate::model) fn resists(scene: &Scene) -> bool {
-    match scene.contact.model {
-        ContactModel::HalfSine => scene.contact.duration_s.is_none(),
-        ContactModel::Lumped => scene.contact.load_stiffness_n_m.is_none(),
-        ContactModel::InitialVelocity => false,
-        ContactModel::Hydrodynamic | ContactModel::Appendix => true,
-    }
-}
-
-pub(in crate::model) fn may_stop(scene: &Scene) -> bool {
-    scene.is_sprung() && !is_listing(scene)
-}
-
-pub(in crate::model) fn has_stop(scene: &Scene) -> bool {
-    may_stop(scene) && scene.mechanism.stop.position_m.is_some()
-}
-
-pub(in crate::model) fn has_stop_of(scene: &Scene, kind: StopKind) -> bool {
-    has_stop(scene) && scene.mechanism.stop.kind == kind
 }
 
 /// Changes that make variables take effect or lose it: description and `--set` text.

@@ -369,7 +369,7 @@ impl Table<'_> {
         }
         for (heading, cell) in self.cells(row) {
             let Column::Variable(variable) = heading.column else { continue };
-            let value = match variable.kind {
+            let value = match &variable.kind {
                 Kind::Number(number) if number.absent != Some(cell) => {
                     Value::Number(heading.number(&self.csv.with_points(cell), number.quantity)?)
                 }

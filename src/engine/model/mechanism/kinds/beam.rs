@@ -28,7 +28,7 @@ const TITANIUM: &str = "thesis Table 9.3: titanium 6-4";
 parts! {
     /// Rectangular beam; the default is that of Table 9.3 of the thesis, titanium 6-4, whose density the thesis does not give.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Beam at (mechanism.spring.beam) {
+    pub struct Beam at (mechanism.spring: Spring.beam) {
         pub length_m: f64 = 0.3 => "l_beam", "beam length", "length of a beam", number(Length, Positive).source(TABLE_9_3);
         pub width_m: f64 = 0.03 => "w_beam", "beam width", "width of a beam, across the bending",
             number(Length, Positive).source(TABLE_9_3);

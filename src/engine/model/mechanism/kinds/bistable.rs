@@ -6,7 +6,7 @@ use crate::model::units;
 parts! {
     /// Bistable spring: two stable positions and the barrier between them.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Bistable at (mechanism.spring.bistable) {
+    pub struct Bistable at (mechanism.spring: Spring.bistable) {
         pub second_m: f64 = 0.02 => "x_2", "second position", "second stable position; the first is x = 0",
             number(Length, Positive).source(NO_VALUES);
         pub unstable_m: Option<f64> = None => "x_u", "unstable point",

@@ -6,7 +6,7 @@ use crate::numerics::monotone;
 parts! {
     /// Column: elastic up to a critical force, then a plateau.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Column at (mechanism.spring.column) {
+    pub struct Column at (mechanism.spring: Spring.column) {
         pub stiffness_n_m: f64 = 5e6 => "k_col", "column stiffness", "stiffness of the column before it buckles",
             number(Stiffness, Positive).is_log(true).source(NO_VALUES);
         pub critical_n: f64 = 5e3 => "F_crit", "buckling force", "force at which the column buckles",

@@ -5,7 +5,7 @@ use super::{Curve, Law, NO_VALUES, Piece, Spring, parts};
 parts! {
     /// Constant force and the displacement at which it is reached.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct ConstantForce at (mechanism.spring.constant) {
+    pub struct ConstantForce at (mechanism.spring: Spring.constant) {
         pub force_n: f64 = 2e3 => "F_c", "constant force", "the constant force",
             number(Force, NonNegative).is_log(true).source(NO_VALUES);
         pub rise_m: f64 = 1e-3 => "x_c", "ramp length", "displacement over which the constant force is reached",

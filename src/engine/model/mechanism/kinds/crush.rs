@@ -10,7 +10,7 @@ const ROUNDING: f64 = 1e-12;
 parts! {
     /// Absorber: crush force, stiffness and stroke.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Crush at (mechanism.spring.crush) {
+    pub struct Crush at (mechanism.spring: Spring.crush) {
         pub force_n: f64 = 5e3 => "F_crush", "crush force", "force at which the absorber is crushed",
             number(Force, Positive).is_log(true);
         pub stroke_m: f64 = 0.05 => "x_crush", "crush length", "displacement at which the absorber is flat and solid",

@@ -5,7 +5,7 @@ use super::{Law, NO_VALUES, PowerLaw, Spring, parts};
 parts! {
     /// Linear spring with geared rotation of the plate.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Helix at (mechanism.spring.helix) {
+    pub struct Helix at (mechanism.spring: Spring.helix) {
         pub stiffness_n_m: f64 = 1e5 => "k_helix", "helix stiffness", "axial stiffness of the helical rotating spring",
             number(Stiffness, NonNegative).is_log(true).source(NO_VALUES);
         pub twist_rad_m: f64 = 50.0 => "twist", "twist", "turn of the plate per displacement", number(Twist, Any);

@@ -5,7 +5,7 @@ use super::{Law, PowerLaw, Spring, parts};
 parts! {
     /// Power law by its force at a reference displacement.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Normalised at (mechanism.spring.normalised) {
+    pub struct Normalised at (mechanism.spring: Spring.normalised) {
         pub force_n: f64 = 1e3 => "F_ref", "reference force",
             "force of the normalised power law at x_ref: F_ref |x/x_ref|^n sgn(x)",
             number(Force, NonNegative).is_log(true).source("assumption: the law that no unit changes");

@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-12;
 parts! {
     /// Points of a measured curve; by default of a spring with 100 kN/m. A first point x = 0, F = 0 makes the law odd.
     #[derive(Clone, Debug, PartialEq)]
-    pub struct Table at (mechanism.spring.table) {
+    pub struct Table at (mechanism.spring: Spring.table) {
         /// Points (x in m, F in N) with increasing x.
         pub points: Arc<[[f64; 2]]> = Arc::from([[0.0, 0.0], [0.01, 1e3], [0.05, 5e3]]);
     }
