@@ -12,10 +12,10 @@ use cmra_studies::report::sweep::grid_csv;
 use cmra_studies::study::context::{Context, Reach, never_cancel};
 use cmra_studies::study::sweep::grid::{Grid, PIECE};
 
-/// Changes to the baseline that between them have another interface, mount, spring, threat and plate.
+/// Changes to the baseline that between them have another interface, mount, spring, damper, threat and plate.
 const SCENES: [&str; 5] = [
     "",
-    "interface=plastic gamma=4 d=0.02",
+    "interface=plastic gamma=4 d=0.02 b=200",
     "mount=rigid h=20mm",
     "k=1e6 n=1.5 b=50 v_i=80",
     "m_p=9.5g R=3.81mm v_i=120 h=10mm k=2e5",
