@@ -52,15 +52,15 @@ pub fn model_error(report: &MonteCarloReport) -> Option<String> {
     })
 }
 
-/// Returns the name of a quantity; states whether it includes the model error if it can.
-fn title(report: &MonteCarloReport, summary: &Summary) -> String {
+/// Returns the title of a quantity and the brief title; states whether it includes the model error if it can.
+pub fn titles(report: &MonteCarloReport, summary: &Summary) -> [String; 2] {
     let is_bare = summary.measure.name == LIMIT && !summary.has_model_error;
     let bare = if is_bare && report.model != ModelError::default() {
         ", model error excluded"
     } else {
         ""
     };
-    summary.measure.title() + bare
+    [summary.measure.title(), summary.measure.brief_title()].map(|title| title + bare)
 }
 
 /// Formats V50 with its spread in one line; `None` without a limit.
@@ -99,7 +99,7 @@ pub fn table<'c>(name: &'c str, report: &'c MonteCarloReport) -> Table<'c, &'c S
     let table = Table::new(&report.summaries)
         .field("scene", move |_| name)
         .with("output", "", "", |it| it.measure.name)
-        .shown(|it, _| Some(title(report, it)))
+        .shown(|it, _| titles(report, it).into_iter().next())
         .with("nominal", "nominal", "", |it| it.nominal)
         .shown(in_unit)
         .with("count", "values", "", |it| it.sorted.len())

@@ -37,6 +37,8 @@ pub struct Quantity {
     lower_bound: Option<fn(&Run) -> Option<f64>>,
     /// Label if it differs from the name in files; else empty.
     title: &'static str,
+    /// Title in fewer letters, distinct from the other titles; empty if the title is short.
+    brief_title: &'static str,
     /// Label of one or two words for narrow columns; empty for the title.
     short: &'static str,
     /// Reason why a stopped shot may lack the quantity.
@@ -146,6 +148,7 @@ const fn quantity(
         },
         lower_bound: None,
         title: "",
+        brief_title: "",
         short: "",
         absence: "does not exist here",
         traits: &[],
@@ -169,6 +172,10 @@ impl Quantity {
 
     const fn titled(self, title: &'static str) -> Self {
         Self { title, ..self }
+    }
+
+    const fn briefly(self, brief_title: &'static str) -> Self {
+        Self { brief_title, ..self }
     }
 
     const fn short(self, short: &'static str) -> Self {
@@ -211,26 +218,26 @@ const DESIGN_LIMIT: &str = "design_limit_m_s";
 #[rustfmt::skip]
 pub static QUANTITIES: &[Quantity] = &[
     result(ArrestPenetration, Length, "depth when projectile and plate first reach common velocity")
-        .by_contact(End(|it| Some(it.arrest()?.penetration_m))).titled("depth at first stop"),
+        .by_contact(End(|it| Some(it.arrest()?.penetration_m))).titled("depth at first stop").briefly("depth at stop"),
     result(ArrestTime, Time, "time at which projectile and plate first reach common velocity")
-        .by_contact(End(|it| Some(it.arrest()?.t_s))).titled("time at first stop"),
+        .by_contact(End(|it| Some(it.arrest()?.t_s))).titled("time at first stop").briefly("time at stop"),
     result(ArrestPlateDisplacement, Length, "plate displacement when projectile and plate first reach common velocity")
-        .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))).titled("plate displacement at first stop"),
+        .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))).titled("plate displacement at first stop").briefly("travel at stop"),
     result(ArrestPlateVelocity, Velocity, "the first common velocity of projectile and plate")
-        .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))).titled("common velocity at first stop"),
+        .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))).titled("common velocity at first stop").briefly("speed at stop"),
     quantity(FinalPenetration.key(), Length, "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
         .at_least(|run| run.at_least.penetration_m).titled("final depth").short("depth").is(&[OfStack, OfHole]),
     quantity("percent_of_baseline", Number, "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
         .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
         .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.penetration.baseline_m?)))
-        .titled("% of rigid-mount depth").short("% of rigid mount").absent(NO_BASELINE).is(&[OfHole, Percent]),
+        .titled("% of rigid-mount depth").briefly("% rigid mount").short("% of rigid mount").absent(NO_BASELINE).is(&[OfHole, Percent]),
     quantity("baseline_penetration_m", Length, "depth of the same shot into the same plate on a rigid mount", Source::Run(|run| run.penetration.baseline_m))
         .by_contact(End(|it| it.baseline_m)).titled("depth on a rigid mount").absent(NO_BASELINE),
     result(PeakContactForce, Force, "greatest contact force while penetrating").short("contact"),
     result(MaxPlateDisplacement, Length, "greatest plate displacement")
         .by_contact(Displacement(|it, _| it.max_displacement_m))
-        .at_least(|run| run.at_least.plate_displacement_m).short("displacement").absent(UNSTOPPED),
+        .at_least(|run| run.at_least.plate_displacement_m).briefly("max travel").short("displacement").absent(UNSTOPPED),
     result(Stroke, Length, "greatest displacement plus cocking distance: the space the mechanism needs behind the plate, not that of a swing back of neutral")
         .by_contact(Displacement(|it, _| Some(it.max_displacement_m? + it.start_m.abs())))
         .at_least(|run| Some(run.at_least.plate_displacement_m? - run.scene.start_m())).absent(UNSTOPPED),
@@ -239,7 +246,7 @@ pub static QUANTITIES: &[Quantity] = &[
     result(SeparationTime, Time, "when the projectile left through the entry face"),
     result(SeparationVelocity, Velocity, "projectile velocity when it left through the entry face"),
     quantity("plate_velocity_after_m_s", Velocity, "plate velocity when projectile and plate part: as the nose is clear of the rear face, or leaves through the entry face", Source::Run(|run| run.departure.plate_velocity_m_s)).titled("plate velocity after parting").short("plate after").absent("they do not part"),
-    quantity("max_plate_displacement_time_s", Time, "when the plate comes to its greatest displacement", Source::Course(Run::max_displacement_time_s)).absent(UNSTOPPED),
+    quantity("max_plate_displacement_time_s", Time, "when the plate comes to its greatest displacement", Source::Course(Run::max_displacement_time_s)).briefly("max travel time").absent(UNSTOPPED),
     result(InterfaceDemand, Number, "greatest compression the fused interface carried, over its strength A S_y").titled("interface push over strength").short("push"),
     quantity("interface_tension_ratio", Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface.tension_ratio?.min(UNBOUNDED_RATIO)))).titled("interface pull over strength").short("pull"),
     quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).is(&[OfComputation, OfStack]),
@@ -291,6 +298,11 @@ impl Quantity {
     /// Returns the label without the unit: `max plate displacement`.
     pub fn title(&self) -> String {
         if self.title.is_empty() { self.key_words() } else { self.title.to_owned() }
+    }
+
+    /// Returns the label in fewer letters, for narrow places.
+    pub fn brief_title(&self) -> String {
+        if self.brief_title.is_empty() { self.title() } else { self.brief_title.to_owned() }
     }
 
     /// Returns the name in files as words, without the unit; lookups accept it: `first arrest penetration`.

@@ -1,6 +1,7 @@
 //! Tables on the screen: the first column always, and as many others as fit.
 
-use crate::tui::widgets::text::fitted;
+use crate::tui::theme;
+use crate::tui::widgets::text::clip_words;
 use cmra_studies::report::table::Cells;
 
 /// Minimum columns for the names of a table's rows if they may be shortened.
@@ -18,7 +19,17 @@ pub(crate) struct Grid {
 impl Grid {
     /// Creates a table with as many columns as fit beside a first column of at least `least` columns; longer names are shortened to the
     /// remaining width.
-    pub(crate) fn new(mut cells: Vec<Cells>, width: u16, least: u16) -> Self {
+    pub(crate) fn new(cells: Vec<Cells>, width: u16, least: u16) -> Self {
+        Self::with_brief_names(cells, &[], width, least)
+    }
+
+    /// Creates a table with briefer names for rows whose names are too long.
+    pub(crate) fn with_brief_names(
+        mut cells: Vec<Cells>,
+        brief: &[String],
+        width: u16,
+        least: u16,
+    ) -> Self {
         let room = usize::from(width);
         let name = cells.first().map_or(0, Cells::width).min(usize::from(least));
         let needed = |count: usize, gap: &str| {
@@ -31,8 +42,9 @@ impl Grid {
         let left = room.saturating_sub(needed(count, gap) - name);
         cells.truncate(1 + count);
         if let Some(names) = cells.first_mut() {
-            for name in &mut names.cells {
-                *name = fitted(name, left);
+            for (row, name) in names.cells.iter_mut().enumerate() {
+                let brief = brief.get(row).filter(|_| theme::columns(name) > left);
+                *name = clip_words(brief.unwrap_or(name), left);
             }
         }
         Self { cells, gap }

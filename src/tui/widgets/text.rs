@@ -90,26 +90,6 @@ fn fits(text: &str, width: usize) -> usize {
         .map_or(text.len(), |(at, _)| at)
 }
 
-/// Shortens the words of a result's title, keeping titles distinct.
-pub(crate) fn shortened(title: &str) -> String {
-    let words = [
-        ("% of rigid-mount depth", "% rigid mount"),
-        ("at first stop", "at stop"),
-        ("common velocity", "speed"),
-        ("plate displacement", "travel"),
-    ];
-    words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word))
-}
-
-/// Fits a result's title into the columns, with shorter words if necessary.
-pub(crate) fn fitted(title: &str, width: usize) -> String {
-    if theme::columns(title) <= width {
-        title.to_owned()
-    } else {
-        clip_words(&shortened(title), width)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -82,10 +82,15 @@ mod tests {
     use super::{DEFAULT, QUANTITIES, find, nearest};
 
     #[test]
-    fn names_are_unique_and_found() {
+    fn names_and_titles_are_unique_and_found() {
         let mut seen = HashSet::new();
+        let [mut titles, mut brief_titles] = [(); 2].map(|()| HashSet::new());
         for quantity in QUANTITIES {
-            assert!(seen.insert(quantity.name), "{} twice", quantity.name);
+            let name = quantity.name;
+            assert!(seen.insert(name), "{name} twice");
+            assert!(titles.insert(quantity.title()), "title of {name} twice");
+            assert!(brief_titles.insert(quantity.brief_title()), "brief title of {name} twice");
+            assert!(quantity.brief_title().len() <= quantity.title().len(), "{name}");
             assert!(!quantity.meaning.is_empty());
             assert_eq!(find(quantity.name).map(|found| found.name), Some(quantity.name));
         }

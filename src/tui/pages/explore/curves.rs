@@ -10,7 +10,7 @@ use crate::tui::pages::explore::state::{self, RESULTS, SETUP, nearest};
 use crate::tui::pages::page::draw_setup;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::setup_width;
-use crate::tui::widgets::text::{fitting, shortened, wrapped};
+use crate::tui::widgets::text::{fitting, wrapped};
 use crate::worker::studies::PictureSweep;
 use cmra_studies::report::figures::{axis_of, column_of, sweeps};
 use cmra_studies::report::map::Map;
@@ -30,12 +30,13 @@ pub(crate) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     held::draw(app, grid, line, canvas);
     let (output, column) = shown_output(app, grid);
     let old = if is_old(app) { ", of another scene" } else { "" };
-    let title = column.title() + old;
+    let titles = [column.title(), column.brief_title()].map(|it| it + old);
     let drawn = match chart_kind(app) {
-        state::ChartKind::Line => curves(app, grid, output, &title, area, canvas),
-        state::ChartKind::Surface => map(app, grid, output, &title, area, canvas),
+        state::ChartKind::Line => curves(app, grid, output, &titles[0], area, canvas),
+        state::ChartKind::Surface => map(app, grid, output, &titles, area, canvas),
     };
     if drawn.is_none() {
+        let [title, _] = titles;
         let inner = PaneFrame::new(title).draw(area, canvas);
         let why = app.keymap.shown(&no_value(grid, output).join("\n"));
         let lines = why.lines().flat_map(|text| wrapped(text, inner.width, Role::Dim));
@@ -129,12 +130,12 @@ pub(crate) fn printed(app: &App, grid: &Grid, output: usize) -> Vec<Vec<(f64, f6
     (0..repeats).filter_map(curve).collect()
 }
 
-/// Draws the map; `None` if there are no values.
+/// Draws the map with the first of the titles that fits; `None` if there are no values.
 fn map(
     app: &App,
     grid: &Grid,
     output: usize,
-    title: &str,
+    titles: &[String; 2],
     area: Rect,
     canvas: &mut Canvas<'_>,
 ) -> Option<()> {
@@ -144,8 +145,8 @@ fn map(
     // The line also contains the name of the horizontal axis with its unit, the unit of the vertical axis, brackets and the ends of the
     // frame.
     let taken = across.label.len() + across.unit.name.len() + up.unit.name.len() + 13;
-    let titles = [title.to_owned(), shortened(title)].map(|it| format!("{it}, up: {}", up.label));
-    let titles = titles.into_iter().chain([format!("up: {}", up.label)]);
+    let titles = titles.iter().map(|it| format!("{it}, up: {}", up.label));
+    let titles = titles.chain([format!("up: {}", up.label)]);
     let title = fitting(titles, usize::from(area.width).saturating_sub(taken)).into();
     let (x, y) = cursor_point(app, grid);
     let cursor = column_of(&axes[0], x).zip(column_of(&axes[1], y));

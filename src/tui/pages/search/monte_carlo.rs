@@ -5,9 +5,10 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::search::Study;
 use crate::tui::pages::search::state::{Row, Searching, Setup};
 use crate::tui::pages::search::study_page::{Answer, note};
-use crate::tui::widgets::text::shortened;
 use crate::worker::studies::SearchRequest;
-use cmra_studies::report::monte_carlo::{QUANTILES, drawn_again, perforation, table, warnings};
+use cmra_studies::report::monte_carlo::{
+    QUANTILES, drawn_again, perforation, table, titles, warnings,
+};
 use cmra_studies::report::table::{Cells, Table};
 use cmra_studies::study::monte_carlo::{
     DEFAULT_DEVIATION, Estimate, MonteCarloReport, Request, Summary, default_tolerances,
@@ -67,8 +68,7 @@ impl Answer for MonteCarloReport {
             let [low, median, high] = [0.05, 0.5, 0.95].map(|share| summary.quantile(share));
             let show = |it: Estimate| summary.measure.show(it.value, 4);
             let spread = format!("{}, 90 %: {} to {}", show(median?), show(low?), show(high?));
-            let names = [summary.measure.title(), shortened(&summary.measure.title())];
-            Some(or_wrapped(names.map(|name| format!("{name} {spread}")), width))
+            Some(or_wrapped(titles(self, summary).map(|name| format!("{name} {spread}")), width))
         });
         let through = perforation(self).map(|texts| or_wrapped(texts, width));
         shown.into_iter().chain(through).map(note).collect()
@@ -81,6 +81,14 @@ impl Answer for MonteCarloReport {
 
     fn table(&self, _app: &App) -> Vec<Cells> {
         known(self).cells(&COLUMNS)
+    }
+
+    fn brief_names(&self) -> Vec<String> {
+        let brief = |summary: &&Summary| {
+            let [_, brief] = titles(self, summary);
+            brief
+        };
+        known(self).rows.iter().map(brief).collect()
     }
 
     fn marked(&self, app: &App) -> Option<usize> {

@@ -54,6 +54,11 @@ pub(crate) trait Answer {
     /// Returns the columns of the table, the most important first; empty if there are no rows.
     fn table(&self, app: &App) -> Vec<Cells>;
 
+    /// Returns briefer names of the rows of the table; empty if there are none.
+    fn brief_names(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Returns the marked row of the table.
     fn marked(&self, app: &App) -> Option<usize> {
         (self.choices() > 0).then(|| app.pages.search.selected())
@@ -122,7 +127,7 @@ pub fn search_words(app: &App, width: usize) -> Words {
     let columns = answer.table(app);
     let rows = columns.first().map_or(0, |column| column.cells.len());
     let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-    let grid = Grid::new(columns, room, NAME_LEAST);
+    let grid = Grid::with_brief_names(columns, &answer.brief_names(), room, NAME_LEAST);
     let marked = answer.marked(app);
     let line = |row: Option<usize>| {
         let mark = if row.is_some() && row == marked { ">" } else { " " };
