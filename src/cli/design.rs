@@ -7,16 +7,9 @@ use crate::cli::progress::Extent;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::value_parsers::above_zero;
-use cmra_engine::model::mechanism::Mechanism;
-use cmra_engine::model::run::Warning;
-use cmra_engine::model::scene::{Scene, Wire};
-use cmra_engine::model::units::{Dimension, engineering};
+use cmra_engine::model::units::Dimension;
 use cmra_engine::model::variables;
-use cmra_studies::report::page::{Block, Page};
-use cmra_studies::report::table::Table;
-use cmra_studies::study::design;
-use cmra_studies::study::envelope;
-use cmra_studies::study::library;
+use cmra_studies::report::design::{formulas, page, table, warnings};
 
 #[derive(Debug, Args)]
 pub(super) struct DesignArguments {
@@ -33,65 +26,8 @@ pub(super) fn run(arguments: &DesignArguments) -> Result<(), CliError> {
     let preset = arguments.scene.load()?;
     variables::validate(&preset.scene)?;
     let found = formulas(&preset.scene, arguments.c_t);
-    let mut page = Page::new(format!("{}: by formulas alone", preset.heading));
-    page.space();
-    for (name, value, unit, source) in &found {
-        let shown = engineering(*value, unit, 4);
-        page.fact(format!("{shown:>14}  "), 16, format!("{name} ({source})"));
-    }
-    let rows = Table::new(&found)
-        .field("name", |it| it.0)
-        .field("value", |it| it.1)
-        .field("unit", |it| it.2)
-        .field("source", |it| it.3);
-    let breaches = envelope::of_scene(&preset.scene);
-    let mut warnings: Vec<Warning> = breaches.iter().map(Warning::from).collect();
-    warnings.extend(variables::range_warnings(&preset.scene));
-    warnings.extend(library::warnings(&preset.scene));
-    let rows = rows.with_warnings(&warnings);
-    page.push(Block::Warnings(warnings));
+    let warnings = warnings(&preset.scene);
+    let rows = table(&found).with_warnings(&warnings);
+    let page = page(&preset.heading, &found, warnings);
     arguments.table.deliver(Extent::WHOLE, None, &page, None, rows)
-}
-
-/// Name of a value, the value by its formula, unit, and source of the formula.
-type Formula = (&'static str, f64, &'static str, &'static str);
-
-fn formulas(scene: &Scene, c_t: Option<f64>) -> Vec<Formula> {
-    let (m, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
-    let m_2 = scene.plate_mass_kg();
-    let common = design::inelastic(m, v, m_2, 0.0);
-    let [back, forward] = design::elastic(m, v, m_2, 0.0);
-    let left = 0.5 * (m + m_2) * common * common;
-    let drawn = Mechanism::from_scene(scene).spring.energy(0.0 - scene.plate.cocking_m);
-    let both = left + drawn;
-    let known = scene.mechanism.min_spring_kg(Some(both)).filter(|_| scene.is_sprung());
-    let (r, rho) = (scene.projectile.tip_radius_m, scene.target.density_kg_m3);
-    let stone = design::stone_depth_m(m, v, r, rho, c_t.unwrap_or(1.0));
-    let rod_m = design::rod_length_m(&scene.projectile);
-    let critical_deg = design::critical_obliquity_deg(scene);
-    let tate = "Tate, eq. 2.3; rho_p and Y_p are assumptions";
-    let integral = "the integral of its force; k d^(n+1)/(n+1) of a power law";
-    let spring = if let Some(known_kg) = known {
-        let source = "over e_spring, or what its wire takes up; stopped by the spring alone";
-        ("least mass of the spring for both", known_kg, "kg", source)
-    } else {
-        let least_kg = both / Wire::default().specific_energy_j_kg();
-        let source = "4 rho G U/tau^2, 700 MPa, section 9.5.1";
-        ("least mass of a steel coil for both", least_kg, "kg", source)
-    };
-    vec![
-        ("critical obliquity", critical_deg, "deg", tate),
-        ("  length of the rod", rod_m, "m", "m_p/(rho_p pi R^2)"),
-        ("effective thickness", scene.effective_thickness_m(), "m", "h/cos(theta), Figure 4.1"),
-        ("common velocity, inelastic", common, "m/s", "eq. 2.2 and 8.11"),
-        ("energy after it", left, "J", "kinetic energy of both bodies together"),
-        ("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
-        ("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
-        ("energy stored by cocking", drawn, "J", integral),
-        spring,
-        match c_t {
-            Some(_) => ("Stone's depth P", stone, "m", "eq. 2.4"),
-            None => ("Stone's depth times c_t", stone, "m3/s2", "eq. 2.4; give --c-t"),
-        },
-    ]
 }

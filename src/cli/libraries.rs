@@ -4,10 +4,10 @@ use clap::Args;
 
 use crate::cli::table::{TableArguments, choice};
 use crate::cli::{CliError, output, text};
+use crate::files::library;
 use crate::files::paths::Paths;
-use crate::files::{clean, library};
-use cmra_studies::report::page::Page;
-use cmra_studies::study::library::{Entry, Library};
+use cmra_studies::report::library::page;
+use cmra_studies::study::library::Library;
 
 #[derive(Debug, Args)]
 pub(super) struct LibrariesArguments {
@@ -39,19 +39,4 @@ pub(super) fn run(arguments: &LibrariesArguments) -> Result<(), CliError> {
         output::note(&format!("not listed: {problem}"));
     }
     Ok(())
-}
-
-fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> Page {
-    let mut page = Page::new(format!("{}: --{} NAME", library.file(), library.key()));
-    for entry in entries {
-        let own = if entry.own.is_some() { ", your own" } else { "" };
-        let name = clean::line(&entry.name);
-        page.space();
-        page.line(format!("  {name}: {}{own}", clean::line(&entry.title)));
-        let status = entry.status.word();
-        let lines = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
-        let lines = lines.map(|(label, words)| (label, clean::line(words)));
-        page.entries(lines.iter().map(|(label, words)| (*label, &**words)));
-    }
-    page
 }

@@ -26,7 +26,7 @@ use cmra_engine::model::simulate::{self, RunSnapshot, Settings};
 use cmra_engine::model::units::{Dimension, engineering};
 use cmra_engine::model::variables::{self, VariableError};
 use cmra_studies::report::figures::run::selected;
-use cmra_studies::report::page::Page;
+use cmra_studies::report::run::models;
 use cmra_studies::report::run::page::page;
 use cmra_studies::report::run::{self as report, NamedRun};
 use cmra_studies::report::svg::Picture;
@@ -206,40 +206,19 @@ impl Glyphs {
 fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     variables::require_single(&preset.scene)?;
-    let (mut runs, mut remarks) = (Vec::new(), Vec::new());
+    let mut runs: Vec<NamedRun> = Vec::new();
     for model in ContactModel::IN_TABLE_8_1 {
         let mut scene = preset.scene.clone();
         scene.contact.model = model;
-        let (word, parameters) = (model.word(), model.parameters(&scene));
+        let word = model.word();
         match compute(&Arc::new(scene)) {
-            Ok(run) => {
-                runs.push((word.to_owned(), Arc::new(run)));
-                let lead = if parameters.is_empty() { "" } else { "; " };
-                remarks.push(format!("{}{lead}{parameters}", model.about()));
-            }
+            Ok(run) => runs.push((word.to_owned(), Arc::new(run))),
             // The first model is the reference of the comparison.
             Err(problem) if runs.is_empty() => return Err(problem.into()),
             Err(problem) => output::note(&format!("not run: {word}: {problem}")),
         }
     }
-    let rows = runs.iter().map(|(name, run)| (name.clone(), Ok(&**run)));
-    let keys = [
-        "name",
-        "outcome",
-        "final_penetration_m",
-        "max_plate_displacement_m",
-        "peak_contact_force_n",
-    ];
-    let title = format!("{}: the interaction models of Table 8.1", preset.heading);
-    let mut page = Page::new(title);
-    page.space();
-    page.table(report::comparison(rows).cells(&keys));
-    page.space();
-    for ((name, _), remark) in runs.iter().zip(remarks) {
-        page.fact(name.clone(), 18, remark);
-    }
-    let text = "not included: the fifth model of Table 8.1 needs a finite element solver";
-    page.fact("finite elements    ", 19, text);
+    let page = models::page(&preset.heading, &runs);
     let source = (&arguments.scene.changes, &preset.scene, "run --compare models".to_owned());
     let extent = Extent::of_runs(runs.iter().map(|(_, run)| &**run));
     arguments.table.deliver(

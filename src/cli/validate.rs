@@ -55,14 +55,7 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     let (rows, extent) = progress::study(threads.count(), "rows", |context: &mut Context<'_>| {
         measured::evaluate(&measurements, context)
     });
-    let mut page = Page::default();
-    limits::list(&mut page, &rows);
-    for line in limits::refusals(&rows) {
-        page.fact("refused: ", 9, line);
-    }
-    page.space();
-    limits::error_page(&mut page, &rows);
-    deliver(arguments, extent, &page, limits::json(&rows), &rows)?;
+    deliver(arguments, extent, &limits::page(&rows), limits::json(&rows), &rows)?;
     Ok(extent.exit_code_after(limits::refusals(&rows)))
 }
 
@@ -72,27 +65,8 @@ fn built_in(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
         progress::study(arguments.threads.count(), "measurements", validation::report);
     let report = report?;
     let rows = measured::left_out();
-    let mut page = Page::new(
-        "Measured ballistic limits beside those expected from all other papers, by class",
-    );
-    page.space();
-    limits::error_page(&mut page, rows);
-    if arguments.rows {
-        page.space();
-        limits::list(&mut page, rows);
-        page.space();
-    }
-    page.space();
-    if arguments.rows {
-        tables::each_case(&mut page, &report);
-    }
-    match extent.missing() {
-        Some(missing) => page.line(missing),
-        None => tables::summary(&mut page, &report),
-    }
-    let mut object = limits::json(rows);
-    object["cases"] = tables::table(&report).objects(|_| true);
-    deliver(arguments, extent, &page, object, rows)?;
+    let page = tables::page(rows, &report, arguments.rows, extent.missing());
+    deliver(arguments, extent, &page, tables::json(rows, &report), rows)?;
     let missing = report.iter().filter(|row| row.computed.is_none());
     let missing = missing.map(|row| format!("nothing could be computed for {}", row.case.id));
     Ok(extent.exit_code_after(missing))

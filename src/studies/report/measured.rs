@@ -123,13 +123,25 @@ pub fn error_cells(list: &[Errors]) -> Vec<Cells> {
     error_table(list).cells(&ERROR_KEYS)
 }
 
+/// Returns the page of measurements: the rows, those that cannot be computed, and the errors.
+pub fn page(rows: &[Row]) -> Page {
+    let mut page = Page::default();
+    list(&mut page, rows);
+    for line in refusals(rows) {
+        page.fact("refused: ", 9, line);
+    }
+    page.space();
+    error_page(&mut page, rows);
+    page
+}
+
 /// Appends the rows, in the columns of measured quantities.
-pub fn list(page: &mut Page, list: &[Row]) {
+pub(super) fn list(page: &mut Page, list: &[Row]) {
     page.table(rows(list).cells(&page_keys(list)));
 }
 
 /// Appends the errors by class and what their columns mean; nothing without errors.
-pub fn error_page(page: &mut Page, list: &[Row]) {
+pub(super) fn error_page(page: &mut Page, list: &[Row]) {
     let list = errors(list);
     if !list.is_empty() {
         page.table(error_cells(&list));

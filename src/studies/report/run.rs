@@ -16,6 +16,7 @@ use cmra_engine::model::scene::{Scene, Stack};
 use cmra_engine::model::units::fixed_significant;
 use cmra_engine::model::variables::{self, VARIABLES, Variable};
 
+pub mod models;
 pub mod page;
 pub mod stack;
 

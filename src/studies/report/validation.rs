@@ -1,8 +1,12 @@
 //! Measurements beside what the model computes for them: one row for each case, one for each that cannot be checked, and one for the bias of
 //! each class. SI.
 
+use serde_json::Value;
+
+use crate::report::measured::{error_page, json as limits_json, list};
 use crate::report::page::Page;
 use crate::report::table::Table;
+use crate::study::measured;
 use crate::study::validation::{
     Bias, Case, MeasuredQuantity, NOT_COUNTED, NotChecked, Row, biases, measurements,
 };
@@ -77,8 +81,43 @@ pub fn table(report: &[Row]) -> Table<'_, ValidationLine<'_>> {
         .field("relative_error_deviation", |it| it.bias.as_ref()?.deviation)
 }
 
+/// Returns the page of the built-in measurements: errors by class, all rows if `lists_all`, and the summary, or what is missing of it.
+pub fn page(
+    rows: &[measured::Row],
+    report: &[Row],
+    lists_all: bool,
+    missing: Option<String>,
+) -> Page {
+    let mut page = Page::new(
+        "Measured ballistic limits beside those expected from all other papers, by class",
+    );
+    page.space();
+    error_page(&mut page, rows);
+    if lists_all {
+        page.space();
+        list(&mut page, rows);
+        page.space();
+    }
+    page.space();
+    if lists_all {
+        each_case(&mut page, report);
+    }
+    match missing {
+        Some(missing) => page.line(missing),
+        None => summary(&mut page, report),
+    }
+    page
+}
+
+/// Returns the whole report as an object.
+pub fn json(rows: &[measured::Row], report: &[Row]) -> Value {
+    let mut object = limits_json(rows);
+    object["cases"] = table(report).objects(|_| true);
+    object
+}
+
 /// Appends each measurement with its computed value, then those that cannot be checked.
-pub fn each_case(page: &mut Page, report: &[Row]) {
+fn each_case(page: &mut Page, report: &[Row]) {
     use Closure::{Cavity, DoubleYield};
     for row in report {
         let case = row.case;
@@ -130,7 +169,7 @@ pub fn each_case(page: &mut Page, report: &[Row]) {
 const SCATTER_FROM: usize = 3;
 
 /// Appends bias and scatter by class, and a summary line.
-pub fn summary(page: &mut Page, report: &[Row]) {
+fn summary(page: &mut Page, report: &[Row]) {
     let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
     let scatter = |it: &Bias| it.deviation.filter(|_| it.points >= SCATTER_FROM);
     let range = |it: &Bias| format!("{} to {}", percent(it.range.0), percent(it.range.1));
