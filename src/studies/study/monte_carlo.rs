@@ -332,22 +332,16 @@ fn by_limit(outcome: PointOutcome, v_m_s: f64, limit_m_s: Option<f64>) -> PointO
 /// Returns the evaluation plan of the samples.
 fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<Plan, StudyError> {
     if tolerances.is_empty() {
-        let text = "nothing scatters: name an input, for example v_i=normal:2%";
-        return Err(StudyError::Samples(text.to_owned()));
+        return Err(StudyError::NothingScatters);
     }
     let samples = request.count();
     if !SAMPLES.contains(&samples) {
-        return Err(StudyError::Samples(format!(
-            "samples = {samples} is outside {} to {}: {DEFAULT_SAMPLES} is usual",
-            SAMPLES.start(),
-            SAMPLES.end()
-        )));
+        let (least, most) = (*SAMPLES.start(), *SAMPLES.end());
+        return Err(StudyError::Samples { samples, least, most, usual: DEFAULT_SAMPLES });
     }
     for (at, tolerance) in tolerances.iter().enumerate() {
         if tolerances[..at].iter().any(|other| other.symbol() == tolerance.symbol()) {
-            let symbol = tolerance.symbol();
-            let text = format!("{symbol} scatters twice: give each input one distribution");
-            return Err(StudyError::Samples(text));
+            return Err(StudyError::ScattersTwice { symbol: tolerance.symbol() });
         }
     }
     let axes = tolerances.iter().map(|tolerance| tolerance.axis(scene));
@@ -382,9 +376,7 @@ fn sample(
             Err(error) => last = error.to_string(),
         }
     }
-    Err(StudyError::Samples(format!(
-        "none of {DRAWS_MAX} draws makes physical sense, the last because {last}"
-    )))
+    Err(StudyError::NoDraw { draws: DRAWS_MAX, last })
 }
 
 /// Computes the fraction of the decided samples that perforate.

@@ -12,7 +12,7 @@ use crate::study::outcome::PointOutcome;
 use crate::study::quantities::{Quantity, named};
 use crate::study::statistics::{quantile, sorted_by};
 use crate::study::sweep::default_axes::{or_usual, thesis_ends};
-use crate::study::sweep::{Axis, Plan, Point, Spacing, StudyError};
+use crate::study::sweep::{Axis, AxisProblem, Plan, Point, Spacing, StudyError};
 use crate::study::validity;
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::run::Warning;
@@ -262,8 +262,7 @@ pub fn compute(
     output.check_exists(scene)?;
     for (at, axis) in axes.iter().enumerate() {
         if axes[..at].iter().any(|other| other.symbol() == axis.symbol()) {
-            let problem = "it is given twice; give each variable one range";
-            return Err(StudyError::axis(axis.symbol(), problem));
+            return Err(StudyError::axis(axis.symbol(), AxisProblem::GivenTwice));
         }
     }
     let plan = |axis: &Axis| Plan::for_designs(scene, vec![axis.clone()], &[output.name]);

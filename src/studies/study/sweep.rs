@@ -14,7 +14,7 @@ pub(in crate::study) mod kernel;
 
 use std::sync::Arc;
 
-pub use crate::study::error::StudyError;
+pub use crate::study::error::{AxisProblem, StudyError};
 use crate::study::library;
 pub use crate::study::outcome::{Failure, PointOutcome};
 use crate::study::quantities::{Quantity, named};
@@ -54,11 +54,7 @@ impl Shard {
     /// # Errors
     /// [`StudyError`] unless 1 <= I <= N.
     pub fn parse(text: &str) -> Result<Self, StudyError> {
-        let refuse = || {
-            StudyError::Points(format!(
-                "shard {text}: write I/N with 1 <= I <= N, for example 2/8 for the second of eight parts"
-            ))
-        };
+        let refuse = || StudyError::Shard { shard: text.to_owned() };
         let (index, count) = text.split_once('/').ok_or_else(refuse)?;
         let read = |part: &str| part.trim().parse::<u64>().ok();
         let (index, count) = read(index).zip(read(count)).ok_or_else(refuse)?;
@@ -103,7 +99,7 @@ impl Plan {
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, StudyError> {
         if axes.len() > AXES_MAX {
-            return Err(StudyError::too_many_axes(axes.len(), AXES_MAX));
+            return Err(StudyError::TooManyAxes { count: axes.len(), most: AXES_MAX });
         }
         let points = points(&axes)?;
         Ok(Self { points, ..Self::for_designs(scene, axes, outputs)? })
@@ -116,7 +112,7 @@ impl Plan {
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, StudyError> {
         if axes.is_empty() {
-            return Err(StudyError::no_axis());
+            return Err(StudyError::NoAxis);
         }
         for (index, axis) in axes.iter().enumerate() {
             let excludes =
@@ -124,12 +120,8 @@ impl Plan {
             let symbol = axis.symbol();
             let problem = match axes[..index].iter().find(excludes).map(Axis::symbol) {
                 None => continue,
-                Some(other) if other == symbol => {
-                    "it is swept twice; give each variable one axis".to_owned()
-                }
-                Some(other) => format!(
-                    "{other} is an axis too, and both set the plate's size; omit one of them"
-                ),
+                Some(other) if other == symbol => AxisProblem::SweptTwice,
+                Some(other) => AxisProblem::TwoSizes { other },
             };
             return Err(StudyError::axis(symbol, problem));
         }
@@ -157,7 +149,7 @@ impl Plan {
 
     /// Creates the sweep that a scene contains.
     pub fn from_scene(scene: &Scene) -> Result<Self, StudyError> {
-        let sweep = scene.sweep.as_ref().ok_or_else(StudyError::no_axis)?;
+        let sweep = scene.sweep.as_ref().ok_or(StudyError::NoAxis)?;
         Self::new(scene, Axis::all_of(sweep)?, &sweep.outputs)
     }
 
@@ -228,11 +220,9 @@ impl Plan {
                 axis.set(&mut scene, value);
                 place.push(format!("{}={}", axis.symbol(), units::shortest(value)));
             }
-            variables::validate(&scene).map_err(|source| {
-                let place = place.join(" ");
-                StudyError::Points(format!(
-                    "the sweep reaches an impossible scene ({place}): {source}"
-                ))
+            variables::validate(&scene).map_err(|source| StudyError::Corner {
+                place: place.join(" "),
+                source: Box::new(source),
             })?;
         }
         Ok(())
@@ -244,12 +234,8 @@ fn one_size(scene: &Scene, axes: &[Axis]) -> Result<(), StudyError> {
     let overrules = |axis: &&Axis| variables::overrules_size(axis.variable(), scene);
     let Some(axis) = axes.iter().find(overrules).map(Axis::symbol) else { return Ok(()) };
     let Ok(given) = variables::find(scene.plate.size.key()) else { return Ok(()) };
-    let (symbol, value) = (given.symbol, given.show(scene));
-    Err(StudyError::Points(format!(
-        "{axis} varies, but the scene has {symbol} = {value} {}, and both give the plate's size: vary {symbol}, or set {axis} \
-         in place of {symbol}",
-        given.unit()
-    )))
+    let value = format!("{} {}", given.show(scene), given.unit());
+    Err(StudyError::TwoSizes { axis, symbol: given.symbol, value })
 }
 
 fn points(axes: &[Axis]) -> Result<u64, StudyError> {
@@ -257,9 +243,7 @@ fn points(axes: &[Axis]) -> Result<u64, StudyError> {
     product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
         let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
         let most = POINTS_MAX as f64;
-        StudyError::Points(format!(
-            "{all:.1e} points are too many: a sweep has at most {most:e}; take fewer points along the axes"
-        ))
+        StudyError::TooManyPoints { points: format!("{all:.1e}"), most: format!("{most:e}") }
     })
 }
 

@@ -45,9 +45,7 @@ impl Map {
     ) -> Result<Self, StudyError> {
         variables::require_single(scene)?;
         if axes.iter().any(|axis| axis.symbol() == "h") {
-            let text = "the map does not depend on h: each point sizes h to just stop its shot; take another variable, or \
-                        `cmra sweep --over h --outputs limit_if_spring_survives_m_s`";
-            return Err(StudyError::Points(text.to_owned()));
+            return Err(StudyError::MapOverThickness);
         }
         let mut own = scene.clone();
         own.sweep = None;

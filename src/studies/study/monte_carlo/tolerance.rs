@@ -106,7 +106,8 @@ impl Tolerance {
             "uniform" => {
                 let form = || format!("write {symbol}=uniform:LO..HI");
                 let (low, high) = rest.split_once("..").ok_or_else(form)?;
-                let ends = ends(low, high, number.quantity, Bare::Si)?;
+                let ends = ends(low, high, number.quantity, Bare::Si);
+                let ends = ends.map_err(|problem| problem.to_string())?;
                 check_ends(ends, variable, number)?;
                 Distribution(Kind::Uniform, ends)
             }

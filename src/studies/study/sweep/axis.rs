@@ -6,7 +6,7 @@
 use std::fmt;
 use std::ops::{Range, RangeInclusive};
 
-use crate::study::error::StudyError;
+use crate::study::error::{AxisProblem, StudyError};
 use cmra_engine::model::scene::{Scene, Sweep, SweepAxis};
 use cmra_engine::model::units;
 use cmra_engine::model::variables::{self, Allowed, Number, Variable};
@@ -91,10 +91,11 @@ impl Axis {
         let ends = [range.from, range.to];
         let values = if range.values.is_empty() { &ends } else { range.values.as_slice() };
         if let Some(end) = values.iter().find(|value| !number.allowed.contains(**value)) {
-            return Err(impossible(variable, number, *end));
+            return Err(StudyError::axis(variable.symbol, impossible(variable, number, *end)));
         }
-        check_distinct(&range)?;
-        check_count(&range, counts)?;
+        check_distinct(&range)
+            .and_then(|()| check_count(&range, counts))
+            .map_err(|problem| StudyError::axis(variable.symbol, problem))?;
         Ok(Self { variable, number, range })
     }
 
@@ -262,70 +263,46 @@ pub fn scene_with(scene: &Scene, axes: &[Axis], values: &[f64]) -> Scene {
 }
 
 /// Checks that the values of an axis are distinct, and positive if they have equal ratios.
-fn check_distinct(range: &SweepAxis) -> Result<(), StudyError> {
-    let (axis, shown) = (&range.name, units::shortest);
+fn check_distinct(range: &SweepAxis) -> Result<(), AxisProblem> {
+    let (symbol, shown) = (&range.name, units::shortest);
     let values = &range.values;
     if !values.is_empty() {
         let twice = |at: &usize| values[..*at].iter().any(|it| shown(*it) == shown(values[*at]));
-        return (0..values.len()).find(twice).map_or(Ok(()), |at| {
-            let value = shown(values[at]);
-            Err(StudyError::axis(
-                axis,
-                format!("{value} occurs twice in the list; omit one of them"),
-            ))
-        });
+        return (0..values.len())
+            .find(twice)
+            .map_or(Ok(()), |at| Err(AxisProblem::ListedTwice { value: shown(values[at]) }));
     }
     let [from, to] = [range.from, range.to].map(shown);
     if from == to {
-        return Err(StudyError::axis(
-            axis,
-            format!(
-                "both ends are {from}: the two ends must differ; widen the range, or hold {axis} at one value"
-            ),
-        ));
+        return Err(AxisProblem::EqualEnds { symbol: symbol.clone(), value: from });
     }
     if range.log && (range.from <= 0.0 || range.to <= 0.0) {
         let high = larger(range.from, range.to);
-        let start = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
-        return Err(StudyError::axis(
-            axis,
-            format!(
-                "{from} to {to} at equal ratios: both ends must be greater than 0; omit log, or start above 0, for \
-             example at {start}"
-            ),
-        ));
+        let cure = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
+        return Err(AxisProblem::RatiosFromZero { from, to, cure });
     }
     Ok(())
 }
 
 /// Checks the number of points of an axis.
-fn check_count(range: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<(), StudyError> {
-    let SweepAxis { name: axis, from, count, values, .. } = range;
+fn check_count(range: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<(), AxisProblem> {
+    let SweepAxis { name, from, count, values, .. } = range;
     if counts.contains(&(*count as u64)) {
         return Ok(());
     }
-    let (least, most) = (counts.start(), counts.end());
     let value = units::shortest(values.first().copied().unwrap_or(*from));
-    Err(StudyError::axis(
-        axis,
-        format!(
-            "count = {count} is impossible: an axis has {least} to {most} points here; to hold {axis}, set it \
-         to one value ({axis}={value})"
-        ),
-    ))
+    let (least, most) = (*counts.start(), *counts.end());
+    Err(AxisProblem::Count { count: *count, least, most, symbol: name.clone(), value })
 }
 
 pub(in crate::study) fn numeric(
     name: &str,
 ) -> Result<(&'static Variable, &'static Number), StudyError> {
-    let variable =
-        variables::find(name).map_err(|source| StudyError::axis(name, source.to_string()))?;
+    let unknown = |source| StudyError::axis(name, AxisProblem::Variable(Box::new(source)));
+    let variable = variables::find(name).map_err(unknown)?;
     let number = variable.number().ok_or_else(|| {
-        let (axis, choices) = (variable.symbol, variable.allowed());
-        StudyError::axis(
-            axis,
-            format!("it has no numbers to sweep over, only {choices}; sweep a numeric variable"),
-        )
+        let choices = variable.allowed().to_string();
+        StudyError::axis(variable.symbol, AxisProblem::NoNumbers { choices })
     })?;
     Ok((variable, number))
 }
@@ -336,7 +313,7 @@ fn nearest_short(value: f64) -> f64 {
     if (short - value).abs() <= 1e-14 * value { short } else { value }
 }
 
-fn impossible(variable: &'static Variable, number: &Number, end: f64) -> StudyError {
+fn impossible(variable: &'static Variable, number: &Number, end: f64) -> AxisProblem {
     let unit = number.quantity.unit();
     let limit = match number.allowed {
         Allowed::Positive => Some("a value above 0".to_owned()),
@@ -353,14 +330,9 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> StudyEr
         || "write a finite number".to_owned(),
         |limit| format!("let the range end at {limit}"),
     );
-    let (symbol, meaning) = (variable.symbol, variable.meaning);
-    let rule = number.allowed.describe(number.quantity);
-    let value = format!("{value} {unit}");
-    let value = value.trim_end();
-    StudyError::axis(
-        symbol,
-        format!("the range reaches {value}, which is impossible: {meaning} must be {rule}; {cure}"),
-    )
+    let value = format!("{value} {unit}").trim_end().to_owned();
+    let allowed = number.allowed.describe(number.quantity);
+    AxisProblem::Impossible { value, meaning: variable.meaning, allowed, cure }
 }
 
 #[cfg(test)]

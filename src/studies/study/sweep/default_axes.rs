@@ -59,10 +59,7 @@ pub fn or_usual(
 ) -> Result<Vec<Axis>, StudyError> {
     let axes = if axes.is_empty() { usual()? } else { axes.to_vec() };
     if axes.is_empty() {
-        return Err(StudyError::Points(
-            "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
-                .to_owned(),
-        ));
+        return Err(StudyError::NoUsualAxis);
     }
     Ok(axes)
 }

@@ -38,9 +38,7 @@ pub fn fits(plan: &Plan) -> Result<(), StudyError> {
     if points <= most {
         return Ok(());
     }
-    Err(StudyError::Points(format!(
-        "{points} points are too many for the screen, which keeps at most {most}: take fewer along the axes, or use `cmra sweep`"
-    )))
+    Err(StudyError::TooManyForScreen { points, most })
 }
 
 /// Cell of a chart: a quantity at a point.

@@ -2,14 +2,10 @@
 
 use std::ops::RangeInclusive;
 
-use crate::study::error::StudyError;
+use crate::study::error::{AxisProblem, StudyError};
 use crate::study::sweep::axis::{Axis, Spacing, numeric};
 use cmra_engine::model::scene::SweepAxis;
 use cmra_engine::model::units::{self, Bare, Dimension};
-
-/// Syntax of an axis, for error messages.
-const FORM: &str =
-    "write NAME=LO..HI:COUNT[:log] or NAME=A,B,C, for example gamma=0.8..7:101 or k=1e4,1e5";
 
 impl Axis {
     /// Parses `NAME=LO..HI:COUNT[:log]` or a list of values, `NAME=A,B,C`; COUNT is optional if there is a default.
@@ -18,8 +14,7 @@ impl Axis {
         usual: Option<u64>,
         counts: &RangeInclusive<u64>,
     ) -> Result<Self, StudyError> {
-        let refuse = |problem: String| StudyError::axis(argument, problem);
-        let form = || refuse(FORM.to_owned());
+        let form = || StudyError::axis(argument, AxisProblem::NoAxis);
         let (name, rest) = argument.split_once('=').ok_or_else(form)?;
         let name = name.trim();
         let (variable, _) = numeric(name)?;
@@ -34,28 +29,28 @@ impl Axis {
         usual: Option<u64>,
         counts: &RangeInclusive<u64>,
     ) -> Result<Self, StudyError> {
-        let refuse = |problem: String| StudyError::axis(format!("{name}={rest}"), problem);
-        let form = || refuse(FORM.to_owned());
+        let refuse = |problem: AxisProblem| StudyError::axis(format!("{name}={rest}"), problem);
         let (_, number) = numeric(name)?;
         let quantity = number.quantity;
         if let Some((low, rest)) = rest.split_once("..") {
             let (high, count, log) = high_end(rest, counts).map_err(refuse)?;
-            let missing = || refuse(format!("COUNT is missing; {FORM}"));
-            let count = count.or(usual).ok_or_else(missing)?;
+            let count = count.or(usual).ok_or_else(|| refuse(AxisProblem::NoCount))?;
             let (from, to) = ends(low, high, quantity, bare).map_err(refuse)?;
             let count = usize::try_from(count).unwrap_or(usize::MAX);
             let axis = SweepAxis { log, ..SweepAxis::linear(name, from, to, count) };
             return Self::from_sweep_axis(&axis, counts);
         }
         let parts: Vec<&str> = rest.split(',').map(str::trim).collect();
-        let [first, others @ ..] = &parts[..] else { return Err(form()) };
+        let [first, others @ ..] = &parts[..] else {
+            return Err(refuse(AxisProblem::NoAxis));
+        };
         if others.is_empty() {
-            return Err(form());
+            return Err(refuse(AxisProblem::NoAxis));
         }
         let read = |text: &&str| value(text, "the list", quantity, bare).map_err(refuse);
         let values = parts.iter().map(read).collect::<Result<Vec<f64>, _>>()?;
         if others.iter().any(|it| units::one_bare_end(first, it, quantity).is_some()) {
-            return Err(refuse("give all values of the list a unit, or none".to_owned()));
+            return Err(refuse(AxisProblem::UnitsInList));
         }
         Self::from_sweep_axis(&SweepAxis { values, ..SweepAxis::linear(name, 0.0, 0.0, 0) }, counts)
     }
@@ -86,11 +81,8 @@ impl Axis {
         }
         let (low, high) = self.ends();
         let (low, high) = (units::shortest(low), units::shortest(high));
-        let problem = format!(
-            "a list of values is for `cmra sweep`; write a range here, for example {}={low}..{high}",
-            self.symbol()
-        );
-        Err(StudyError::axis(argument, problem))
+        let cure = format!("{}={low}..{high}", self.symbol());
+        Err(StudyError::axis(argument, AxisProblem::List { cure }))
     }
 }
 
@@ -98,7 +90,7 @@ impl Axis {
 fn high_end<'t>(
     text: &'t str,
     counts: &RangeInclusive<u64>,
-) -> Result<(&'t str, Option<u64>, bool), String> {
+) -> Result<(&'t str, Option<u64>, bool), AxisProblem> {
     let mut parts = text.split(':');
     let high = parts.next().unwrap_or_default();
     let (mut count, mut log) = (None, false);
@@ -107,31 +99,36 @@ fn high_end<'t>(
             "log" => log = true,
             "lin" | "linear" => log = false,
             text if count.is_none() => {
-                let (least, most) = (counts.start(), counts.end());
-                let wrong = || {
-                    format!("COUNT = `{text}` must be a whole number, {least} to {most}; {FORM}")
-                };
+                let (least, most) = (*counts.start(), *counts.end());
+                let wrong = || AxisProblem::UnreadableCount { count: text.to_owned(), least, most };
                 count = Some(text.parse::<u64>().map_err(|_not_a_number| wrong())?);
             }
-            text => return Err(format!("`{text}` is neither COUNT nor log; {FORM}")),
+            text => return Err(AxisProblem::UnknownPart { part: text.to_owned() }),
         }
     }
     Ok((high, count, log))
 }
 
-/// Parses the ends of `LO..HI` into the stored unit; an error message unless both have a unit or neither.
+/// Parses the ends of `LO..HI` into the stored unit; refused unless both have a unit or neither.
 pub(in crate::study) fn ends(
     low: &str,
     high: &str,
     quantity: Dimension,
     bare: Bare<'_>,
-) -> Result<(f64, f64), String> {
+) -> Result<(f64, f64), AxisProblem> {
     let ends = (value(low, "LO", quantity, bare)?, value(high, "HI", quantity, bare)?);
-    units::one_bare_end(low, high, quantity).map_or(Ok(ends), Err)
+    let mixed = units::one_bare_end(low, high, quantity);
+    mixed.map_or(Ok(ends), |cure| Err(AxisProblem::UnitAtOneEnd { cure }))
 }
 
-fn value(text: &str, place: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, String> {
-    units::parse(text, quantity, bare).map_err(|problem| format!("{place}: {problem}"))
+fn value(
+    text: &str,
+    place: &'static str,
+    quantity: Dimension,
+    bare: Bare<'_>,
+) -> Result<f64, AxisProblem> {
+    let unreadable = |problem| AxisProblem::Unreadable { place, problem };
+    units::parse(text, quantity, bare).map_err(unreadable)
 }
 
 #[cfg(test)]
