@@ -194,6 +194,30 @@ impl<'w, P: ?Sized> Context<'w, P> {
         });
     }
 
+    /// Works on these items on all threads, several at once; a stopped worker returns fewer results. `take` is given each part of the items
+    /// in order with its results, and says whether to go on.
+    pub fn each_of<I: Sync, T: Send, W: FnMut(&[I]) -> Vec<T>>(
+        &mut self,
+        (items, at_once): (&[I], u64),
+        worker: impl Fn() -> W + Sync,
+        mut take: impl FnMut(&mut Self, &[I], Vec<T>) -> bool,
+    ) {
+        let part = |piece: &Range<u64>| {
+            let at = |end: u64| usize::try_from(end).unwrap_or(items.len());
+            &items[at(piece.start)..at(piece.end)]
+        };
+        let pieces = || {
+            let mut worker = worker();
+            move |piece: Range<u64>| worker(part(&piece))
+        };
+        let work = Work { count: items.len() as u64, at_once };
+        self.each(work, pieces, |context, piece, found| {
+            let is_whole = found.len() == part(&piece).len();
+            context.count(found.len());
+            take(context, part(&piece), found) && is_whole
+        });
+    }
+
     /// The results of work, of which workers give several at once; fewer than all when stopped, and then a worker gives fewer, too.
     /// `show` is given all there are so far, and says whether to go on.
     pub fn map<T: Send, W: FnMut(Range<u64>) -> Vec<T>>(

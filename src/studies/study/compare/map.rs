@@ -1,12 +1,11 @@
 //! Map of the mass efficiency over two variables, computed on successively finer grids.
 
-use std::ops::Range;
-
 use crate::study::compare::hardware::Hardware;
 use crate::study::compare::hold_spring_mass;
 use crate::study::compare::sizing::{Absence, mass_efficiency};
-use crate::study::context::{Context, Work};
+use crate::study::context::Context;
 use crate::study::sweep::axis::numeric;
+use crate::study::sweep::grid::lattice;
 use crate::study::sweep::{Axis, Plan, Spacing, StudyError};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables;
@@ -65,46 +64,34 @@ impl Map {
     /// Computes the given points in batches and reports progress after each batch.
     fn fill(&mut self, points: &[u64], hardware: Hardware, context: &mut Context<'_, Self>) {
         let (plan, stop) = (self.plan.clone(), context.stop());
-        let slice = |piece: &Range<u64>| {
-            let at = |end: u64| usize::try_from(end).unwrap_or(points.len());
-            &points[at(piece.start)..at(piece.end)]
-        };
         let worker = || {
             let mut placed = plan.base().clone();
             let (plan, stop) = (&plan, stop.clone());
-            move |piece: Range<u64>| -> Vec<Result<f64, Absence>> {
+            move |points: &[u64]| -> Vec<Result<f64, Absence>> {
                 let cell = |index: &u64| {
                     plan.place(&mut placed, *index);
                     let mut own = placed.clone();
                     hold_spring_mass(&mut own);
                     mass_efficiency(&own, hardware, WIDTH)
                 };
-                slice(&piece).iter().take_while(|_| !stop.is_set()).map(cell).collect()
+                points.iter().take_while(|_| !stop.is_set()).map(cell).collect()
             }
         };
-        let work = Work { count: points.len() as u64, at_once: PIECE };
-        context.each(work, worker, |context, piece, found| {
-            context.count(found.len());
-            let is_whole = found.len() == slice(&piece).len();
-            for (index, cell) in slice(&piece).iter().zip(found) {
+        context.each_of((points, PIECE), worker, |context, points, found| {
+            for (index, cell) in points.iter().zip(found) {
                 if let Ok(index) = usize::try_from(*index) {
                     self.cells[index] = Some(cell);
                 }
             }
-            context.show(self) && is_whole
+            context.show(self)
         });
     }
 
     /// Returns the points of a pass that are not yet computed.
     fn pass(&self, stride: usize) -> Vec<u64> {
-        let (across, up) = (self.x().count(), self.y().count());
-        let along = |count: u64| (0..count).step_by(stride);
-        let points = along(across).flat_map(|x| along(up).map(move |y| x * up + y));
-        let is_missing = |index: &u64| {
-            let cell = usize::try_from(*index).ok().and_then(|index| self.cells.get(index));
-            cell.is_some_and(Option::is_none)
-        };
-        points.filter(is_missing).collect()
+        let along = |axis: &Axis| usize::try_from(axis.count()).unwrap_or(0);
+        let counts = (along(self.x()), along(self.y()));
+        lattice(counts, [stride; 2], |index| self.cells[index].is_none())
     }
 
     /// Returns the base scene of the map.

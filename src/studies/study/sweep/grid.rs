@@ -3,10 +3,10 @@
 //! Each pass halves the spacing of the computed points. A point that is not computed is shown by the closest coarser one. The complete grid
 //! does not depend on the passes.
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use crate::study::context::{Context, Work};
+use crate::study::context::Context;
 use crate::study::envelope::Check;
 use crate::study::outcome::OutcomeCounts;
 use crate::study::sweep::{Evaluator, Plan, Point, PointOutcome, StudyError};
@@ -29,6 +29,17 @@ const SHORT: usize = 12;
 /// The stride along an axis of so many points.
 fn along(count: usize, stride: usize) -> usize {
     if count < SHORT { 1 } else { stride }
+}
+
+/// Returns the points of a grid at these strides along its axes that are wanted; the first axis varies slowest.
+pub(in crate::study) fn lattice(
+    (across, up): (usize, usize),
+    strides: [usize; 2],
+    is_wanted: impl Fn(usize) -> bool,
+) -> Vec<u64> {
+    let columns = (0..across).step_by(strides[0]);
+    let points = columns.flat_map(|x| (0..up).step_by(strides[1]).map(move |y| x * up + y));
+    points.filter(|index| is_wanted(*index)).map(|index| index as u64).collect()
 }
 
 /// Checks that a plan has no more points than a grid can hold.
@@ -67,8 +78,6 @@ pub struct Grid {
     counts: (usize, usize),
     outcomes: Vec<Option<PointOutcome>>,
     values: Vec<f64>,
-    /// Spacing of the points of the last complete pass; 0 before the first one.
-    stride: usize,
     done: usize,
     /// Checks of the validity that fail at an end of an axis and not for the scene itself, with their warnings; filled with the last pass.
     pub outside_at_ends: Vec<(Check, Warning)>,
@@ -89,7 +98,6 @@ impl Grid {
             counts,
             outcomes: vec![None; points],
             values: vec![f64::NAN; points * plan.outputs().len()],
-            stride: 0,
             done: 0,
             outside_at_ends: Vec::new(),
             plan,
@@ -173,32 +181,18 @@ impl Grid {
     /// Fills the grid, with a given number of points for a thread at once, and reports it after each pass; a stopped grid is partial.
     #[must_use]
     pub fn fill(mut self, at_once: u64, context: &mut Context<'_, Self>) -> Self {
-        let plan = Arc::clone(&self.plan);
-        let stop = context.stop();
+        let (plan, stop) = (Arc::clone(&self.plan), context.stop());
         context.expect(self.outcomes.len());
         for stride in self.strides() {
-            let points = self.pass(stride);
-            let slice = |piece: &Range<u64>| {
-                let at = |end: u64| usize::try_from(end).unwrap_or(points.len());
-                &points[at(piece.start)..at(piece.end)]
-            };
             let worker = || {
                 let mut evaluator = Evaluator::new(&plan, &stop);
-                move |piece: Range<u64>| evaluator.points(slice(&piece))
+                move |points: &[u64]| evaluator.points(points)
             };
-            let all = points.len() as u64;
-            let work = Work { count: all, at_once };
-            context.each(work, worker, |context, piece, found: Vec<Point>| {
-                let whole = found.len() == slice(&piece).len();
-                self.put(slice(&piece).iter().copied(), &found);
-                context.count(found.len());
-                let finished = whole && piece.end == all;
-                if finished {
-                    self.stride = stride;
-                }
-                whole && if finished { context.show(&self) } else { context.should_continue() }
+            context.each_of((&self.pass(stride), at_once), worker, |context, points, found| {
+                self.put(points.iter().copied(), &found);
+                context.should_continue()
             });
-            if context.is_stopped() {
+            if context.is_stopped() || !context.show(&self) {
                 break;
             }
         }
@@ -220,17 +214,8 @@ impl Grid {
 
     /// Returns the points of a pass that are not computed yet; the first axis varies slowest.
     fn pass(&self, stride: usize) -> Vec<u64> {
-        let (across, up) = self.counts;
-        let mut points = Vec::new();
-        for x in (0..across).step_by(along(across, stride)) {
-            for y in (0..up).step_by(along(up, stride)) {
-                let index = x * up + y;
-                if self.outcomes[index].is_none() {
-                    points.push(index as u64);
-                }
-            }
-        }
-        points
+        let strides = [self.counts.0, self.counts.1].map(|count| along(count, stride));
+        lattice(self.counts, strides, |index| self.outcomes[index].is_none())
     }
 
     /// Appends the next points to a grid that is filled in the order of its points.
