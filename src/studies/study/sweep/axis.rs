@@ -301,7 +301,7 @@ pub(in crate::study) fn numeric(
     let unknown = |source| StudyError::axis(name, AxisProblem::Variable(Box::new(source)));
     let variable = variables::find(name).map_err(unknown)?;
     let number = variable.number().ok_or_else(|| {
-        let choices = variable.allowed().to_string();
+        let choices = variable.allowed();
         StudyError::axis(variable.symbol, AxisProblem::NoNumbers { choices })
     })?;
     Ok((variable, number))
