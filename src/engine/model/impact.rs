@@ -12,7 +12,7 @@ use std::sync::Arc;
 use crate::model::closed_form;
 use crate::model::estimate;
 use crate::model::impact::parameters::ImpactParameters;
-use crate::model::impact::resolution::{NEGLIGIBLE, SECOND_FACTOR, STEP_TOLERANCE_FACTOR};
+use crate::model::impact::resolution::{NEGLIGIBLE, ROUNDING, TOLERANCE_RATIO};
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EndReason, EstimateBasis, Observer, Run, RunSnapshot, Settings, WORK_MAX};
 use crate::model::scene::{ContactModel, Scene};
@@ -51,12 +51,6 @@ mod zero_passage;
 /// zeros both computations take equal steps, and two stages more leave less than a hundredth of the error; a tighter tolerance would only
 /// add steps.
 const SECOND_FACTOR_AT_ZEROS: f64 = 1e-1;
-/// Least tolerance of the steps of the second computation: below it there is only rounding.
-const MIN_SECOND_TOLERANCE: f64 = 1e-14;
-
-/// Least tolerance of the steps of a run: below it there is only rounding.
-const MIN_STEP_TOLERANCE: f64 = 1e-13;
-
 /// Greatest ratio of the work of a run and of its second computation together to that of a run alone. A second computation takes about 1.5
 /// times as much as the first, so that only the errors of the longest runs stay unknown.
 const WORK_OF_BOTH: [usize; 2] = [5, 3];
@@ -94,8 +88,8 @@ fn run_by(
             }
         }
         IntegrationMethod::Second(first) => {
-            let fraction = if is_analytic { SECOND_FACTOR } else { SECOND_FACTOR_AT_ZEROS };
-            let tolerance = larger(fraction * first, MIN_SECOND_TOLERANCE);
+            let fraction = if is_analytic { TOLERANCE_RATIO } else { SECOND_FACTOR_AT_ZEROS };
+            let tolerance = larger(fraction * first, ROUNDING);
             let setup = setup(tolerance);
             if is_analytic {
                 run::run(scene, &setup, &RADAU_IIA_17.for_second(tolerance), settings, observer)
@@ -120,7 +114,7 @@ fn run_by(
 
 /// Error of each step for the tolerance of a scene.
 fn local_tolerance(scene: &Scene) -> f64 {
-    larger(STEP_TOLERANCE_FACTOR * scene.run.tolerance, MIN_STEP_TOLERANCE)
+    larger(TOLERANCE_RATIO * scene.run.tolerance, ROUNDING)
 }
 
 /// Runs a scene and estimates the errors of the run, from closed forms or a second computation by another member of the family of methods.

@@ -6,14 +6,13 @@
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::{ImpactParameters, Masses, StopParameters};
+use crate::model::impact::resolution::ROUNDING;
 use crate::model::impact::state::State;
 use crate::numerics::step::{Jacobian, Point};
 use crate::numerics::{larger, smaller};
 
 /// Negligible velocity of the plate, relative to the impact velocity: below the error of its velocity at the smallest tolerance.
 const VELOCITY_RESOLUTION: f64 = 1e-18;
-/// Relative rounding error of a force. Areas of oblique sections are differences of terms; 1e-13 is below the step tolerance.
-const FORCE_ROUNDING: f64 = 1e-13;
 
 /// Equations of motion in a mode.
 #[derive(Clone, Copy, Debug)]
@@ -239,7 +238,7 @@ impl Equations<'_> {
                 let (by_travel, by_slip) = self.contact_slopes(state.q_m, state.u_m_s);
                 f64::EPSILON * (by_travel * state.q_m.abs() + by_slip * state.u_m_s.abs())
             }
-            _ => FORCE_ROUNDING * self.contact_n(state).abs(),
+            _ => ROUNDING * self.contact_n(state).abs(),
         }
     }
 
@@ -280,7 +279,7 @@ impl Equations<'_> {
             let most_n = mode.spring.force(mode.origin_m).abs() + spring_n;
             smaller(slope_n_m * mode.origin_m.abs(), most_n)
         };
-        FORCE_ROUNDING * (spring_n + by_place_n + others_n + self.setup.weight_n)
+        ROUNDING * (spring_n + by_place_n + others_n + self.setup.weight_n)
     }
 }
 

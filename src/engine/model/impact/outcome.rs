@@ -8,17 +8,13 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
-use crate::model::impact::resolution::NEGLIGIBLE;
+use crate::model::impact::resolution::{NEGLIGIBLE, RESOLUTION};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::model::power_law::PowerLaw;
 use crate::model::run::Outcome;
 use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
-
-/// Negligible velocity of separation, relative to the impact velocity: ten times the velocity by which rounding errors of the contact force
-/// separate the bodies.
-const PARTING: f64 = 1e-10;
 
 /// Relative excess of the peak interface load over the limit load below which the remaining slip follows from the energy. The slip velocity
 /// scales as excess^1.5, the neglected drag as its square, excess^3.
@@ -115,7 +111,7 @@ impl Equations<'_> {
         if !Rule::Parting.applies() {
             return 0.0;
         }
-        let slow_m_s = PARTING * self.setup.reference.velocity_m_s;
+        let slow_m_s = RESOLUTION * self.setup.reference.velocity_m_s;
         0.5 * self.setup.mass.projectile_kg * slow_m_s * slow_m_s
     }
 

@@ -3,14 +3,12 @@
 use crate::model::contact::Geometry;
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::method::IntegrationMethod;
+use crate::model::impact::resolution::RESOLUTION;
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, Mechanism, PowerLaw, Spring, moving_plate_kg};
 use crate::model::plug::Plug;
 use crate::model::scene::{self, InterfaceLaw, Scene, SpringKind};
 use crate::numerics::larger;
-
-/// Least reference velocity of the plate, relative to the impact velocity.
-const SLOWEST: f64 = 1e-8;
 
 /// Parameters of an impact.
 #[derive(Clone, Debug)]
@@ -292,7 +290,7 @@ fn plate_velocity_m_s(
 ) -> f64 {
     let pressure_pa = scene.flow_strength_pa() + scene.drag_kg_m3() * impact_m_s * impact_m_s;
     let hole_j = pressure_pa * geometry.swept_m3(geometry.exit_m);
-    let given_m_s = larger(hole_j / (plate_kg * impact_m_s), SLOWEST * impact_m_s);
+    let given_m_s = larger(hole_j / (plate_kg * impact_m_s), RESOLUTION * impact_m_s);
     if given_m_s < impact_m_s { given_m_s } else { impact_m_s }
 }
 

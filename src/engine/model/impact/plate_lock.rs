@@ -12,23 +12,13 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::PlateConstraint;
 use crate::model::impact::parameters::{ImpactParameters, Masses};
-use crate::model::impact::resolution::{
-    FIRST_ORDER, NEGLIGIBLE_AT_ZERO, SECOND_FACTOR, STEP_TOLERANCE_FACTOR,
-};
+use crate::model::impact::resolution::{FIRST_ORDER, NEGLIGIBLE, ROUNDING, TOLERANCE_RATIO};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::numerics::smaller;
 
-/// Duration of the first moment, relative to the shortest time scale of the contact: `R / v_i`, or that of its stiffness or damping. Within
-/// it the contact force is constant or proportional to time; the relative error of the velocities is about the square of this value.
-const FIRST_MOMENT: f64 = 1e-6;
-/// Minimum ratio of the displacement with inertia alone to the quasi-static displacement, for a plate to count as quasi-static. Inertia
-/// then changes the displacement by about the inverse of this ratio.
-const QUASI_STATIC_RATIO: f64 = 1e2;
 /// Displacement at which a plate may lock again, relative to that at which it unlocks; the hysteresis avoids an immediate unlock.
 const RELOCK_FRACTION: f64 = 0.5;
-/// Interval of the difference quotient of the force's rate, relative to the time scale of the contact force.
-const DIFFERENCE: f64 = 1e-3;
 /// Step size towards a singular zero, relative to the time until the plate reaches it. The step then ends at about its own length from the
 /// zero, where polynomials are accurate.
 const SINGULARITY_STEP_FRACTION: f64 = 0.55;
@@ -36,13 +26,13 @@ const SINGULARITY_STEP_FRACTION: f64 = 0.55;
 impl ImpactParameters {
     /// Returns the displacement below which a plate counts as fixed, m: when first locked, or in all further bounces.
     pub(super) fn held_m(&self) -> f64 {
-        self.threshold_factor() * NEGLIGIBLE_AT_ZERO * self.reference.length_m
+        self.threshold_factor() * ROUNDING * self.reference.length_m
     }
 
     /// Returns the factor on the thresholds of this file: smaller in the second computation of an error estimate, so that the difference of
     /// both shows what the rules omit.
     pub(super) fn threshold_factor(&self) -> f64 {
-        if self.is_second() { SECOND_FACTOR } else { 1.0 }
+        if self.is_second() { TOLERANCE_RATIO } else { 1.0 }
     }
 
     /// Returns `true` for the second computation of an error estimate.
@@ -53,12 +43,16 @@ impl ImpactParameters {
     /// Returns the displacement at which a relocked plate unlocks, m, for a travel of the projectile.
     pub(super) fn relock_displacement_m(&self, q_m: f64) -> f64 {
         // The tolerance of the run.
-        let tolerance = (1.0 / STEP_TOLERANCE_FACTOR) * self.numerics.tolerance;
+        let tolerance = (1.0 / TOLERANCE_RATIO) * self.numerics.tolerance;
         tolerance * smaller(q_m, self.reference.length_m)
     }
 }
 
 impl Equations<'_> {
+    /// Returns the duration of the first moment, s, by the shortest time scale of the contact: `R / v_i`, or that of its stiffness or damping.
+    ///
+    /// Within it the contact force is constant or proportional to time. The relative error of the velocities is about the square of the
+    /// duration relative to the time scale.
     fn first_moment_s(&self) -> f64 {
         let ImpactParameters { reference, cos, .. } = *self.setup;
         let Masses { projectile_kg, plate_kg, .. } = self.setup.mass;
@@ -66,7 +60,7 @@ impl Equations<'_> {
         let by_place_s = smaller(self.setup.passage_s(), (projectile_kg / slope_n_m.abs()).sqrt());
         let slipping_kg = 1.0 / (1.0 / projectile_kg + cos * cos / plate_kg);
         self.setup.threshold_factor()
-            * FIRST_MOMENT
+            * NEGLIGIBLE.sqrt()
             * smaller(by_place_s, slipping_kg / slope_n_s_m.abs())
     }
 
@@ -130,7 +124,8 @@ impl Equations<'_> {
         let mut held_m = self.mode.held_m;
         let held_n = setup.spring.force(held_m);
         let by_inertia_m = (held_n / rate_n_s).powi(2) * held_n / (6.0 * setup.mass.plate_kg);
-        let inertia_ratio = by_inertia_m / (QUASI_STATIC_RATIO * held_m);
+        // Inertia changes the displacement by about the inverse of the ratio of both: at most by the order after the first.
+        let inertia_ratio = FIRST_ORDER * FIRST_ORDER * by_inertia_m / held_m;
         if inertia_ratio < 1.0 {
             // The displacement with inertia alone grows as the cube of the force: the ratio scales as x^(3n-1). For n < 1/3 a smaller
             // displacement satisfies the condition, otherwise none does.
@@ -226,7 +221,8 @@ impl Equations<'_> {
     fn force_second_derivative_n_s2(&self, state: &State) -> f64 {
         let slows_m_s2 = self.contact_n(state) / self.setup.mass.projectile_kg;
         let by_place_s = smaller(self.setup.passage_s(), (state.q_m / state.u_m_s).abs());
-        let moment_s = DIFFERENCE * smaller(by_place_s, (state.u_m_s / slows_m_s2).abs());
+        // Rounding and truncation of a central difference are about equal at this interval.
+        let moment_s = f64::EPSILON.cbrt() * smaller(by_place_s, (state.u_m_s / slows_m_s2).abs());
         let rate_at = |t_s: f64| {
             let q_m = state.q_m + state.u_m_s * t_s;
             self.rate_n_s(&State { q_m, u_m_s: state.u_m_s - slows_m_s2 * t_s, ..*state })
@@ -280,7 +276,7 @@ impl Equations<'_> {
             let (w_m_s, acceleration) = (state.w_m_s, self.accelerations(state).1);
             let way_s = -w_m_s / acceleration;
             let counts = damper.force(w_m_s).abs() * way_s
-                > NEGLIGIBLE_AT_ZERO * self.moving_kg() * reference.velocity_m_s;
+                > ROUNDING * self.moving_kg() * reference.velocity_m_s;
             // If the forces balance, only the error of the acceleration remains.
             let is_resolved = acceleration.abs() > self.acceleration_error_m_s2(state);
             if way_s > 0.0 && counts && is_resolved {

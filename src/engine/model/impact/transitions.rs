@@ -8,7 +8,7 @@ use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
-use crate::model::impact::resolution::NEGLIGIBLE_AT_ZERO;
+use crate::model::impact::resolution::ROUNDING;
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::model::power_law::sign;
@@ -269,7 +269,7 @@ fn reach_stop(setup: &ImpactParameters, mode: &mut HybridMode, state: &mut State
     let hole_j = setup.geometry.area_m2(mode.deepest_m) * setup.strength_pa * mode.deepest_m;
     let is_soft = joined
         && setup.interface.is_plastic
-        && blow_j < NEGLIGIBLE_AT_ZERO * hole_j
+        && blow_j < ROUNDING * hole_j
         && Rule::SoftBlow.applies();
     state.w_m_s = if is_soft { 0.0 } else { rebound(setup, mode, restitution, state) };
     if !(joined && (is_soft || !setup.interface.is_plastic)) {

@@ -9,7 +9,7 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::events::{event_function, possible_events};
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, Event, PlateConstraint};
-use crate::model::impact::resolution::{NEGLIGIBLE_AT_ZERO, SECOND_FACTOR};
+use crate::model::impact::resolution::{ROUNDING, TOLERANCE_RATIO};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 
@@ -28,8 +28,8 @@ impl Equations<'_> {
         let is_steady = self.setup.law == ContactLaw::Flow || !self.is_touching();
         let fraction = match self.setup.numerics.method {
             IntegrationMethod::Collocation(_) if is_steady => 1.0,
-            IntegrationMethod::Second(_) if is_steady => SECOND_FACTOR,
-            _ => return [NEGLIGIBLE_AT_ZERO; 2],
+            IntegrationMethod::Second(_) if is_steady => TOLERANCE_RATIO,
+            _ => return [ROUNDING; 2],
         };
         [fraction * PASSED_ENERGY, fraction * PASSED_CHANGE]
     }
