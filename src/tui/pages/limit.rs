@@ -7,7 +7,7 @@ pub mod state;
 
 use crate::tui::pages::limit::comparison::{candidate_lines, own_comparison};
 use crate::tui::pages::limit::map::{design, efficiency_map};
-use crate::tui::pages::limit::residual::{lacks_limit, limit_readout, limit_scene, limit_words};
+use crate::tui::pages::limit::residual::{lacks_limit, limit_readout, limit_scene};
 use crate::tui::pages::run::runs::name_of;
 use std::time::Duration;
 
@@ -303,28 +303,18 @@ impl Page for LimitTab {
     }
 
     fn rows(&self, app: &App) -> Option<Rows> {
-        match app.pane() {
-            RESIDUAL => {
-                let (count, shown) = limit_words(app)?;
-                Some(Rows { count: count + 1, selected: app.pages.limit.word, shown })
-            }
-            CANDIDATES => {
-                let area = area(app, app.layout().body?, CANDIDATES)?;
-                let lines = candidate_lines(app, usize::from(area.width.saturating_sub(2)));
-                let shown = usize::from(area.height.saturating_sub(2));
-                let count = lines.len().saturating_sub(shown) + 1;
-                Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
-            }
-            _ => None,
+        if app.pane() != CANDIDATES {
+            return None;
         }
+        let area = area(app, app.layout().body?, CANDIDATES)?;
+        let lines = candidate_lines(app, usize::from(area.width.saturating_sub(2)));
+        let shown = usize::from(area.height.saturating_sub(2));
+        let count = lines.len().saturating_sub(shown) + 1;
+        Some(Rows { count, selected: app.pages.limit.scrolled.min(count - 1), shown })
     }
 
     fn select(&self, app: &mut App, row: usize) {
-        let (pane, tab) = (app.pane(), &mut app.pages.limit);
-        match pane {
-            RESIDUAL => tab.word = row,
-            _ => tab.scrolled = row,
-        }
+        app.pages.limit.scrolled = row;
     }
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {

@@ -1,7 +1,6 @@
 //! Ballistic limit and residual velocity of the Limit tab, as text and as a chart.
 
 use crate::tui::chart::Emphasis;
-use crate::tui::pages::limit::area;
 use crate::tui::pages::limit::state::RESIDUAL;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::widgets::layout::CHART_ROWS;
@@ -39,16 +38,6 @@ fn limit_lines(app: &App, width: u16) -> Vec<Remark> {
         }
     }
     lines
-}
-
-/// Returns the number of text lines and of visible lines if the text replaces the curve; `None` if curve and text both fit.
-pub(crate) fn limit_words(app: &App) -> Option<(usize, usize)> {
-    let area = area(app, app.layout().body?, RESIDUAL)?;
-    let lines = limit_lines(app, area.width).len();
-    // The first row of the body is the limit; a frame takes two rows.
-    let rows = usize::from(area.height).saturating_sub(3);
-    let is_crowded = lines > 0 && rows > 0 && lines + usize::from(CHART_ROWS) > rows;
-    is_crowded.then_some((lines, rows))
 }
 
 /// Returns the scene whose limit is requested, with the impact velocity of another scene, because the limit does not depend on it.
@@ -108,8 +97,6 @@ pub fn limit_readout(app: &App) -> Option<(Severity, String)> {
     parts.extend(report.undecided());
     parts.extend(report.caution());
     let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
-    let turn = if app.pages.limit.word == 0 { "<down>: laws" } else { "<first>: curve" };
-    parts.extend(limit_words(app).map(|_| turn.to_owned()));
     parts.extend(spread(app).and_then(v50).map(|text| format!("V50 {text}")));
     if parts.is_empty() {
         return None;
@@ -126,17 +113,11 @@ pub(crate) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.put(area, (1, 0), &head, role);
     let (_, body) = split_top(area, 1);
     let lines = limit_lines(app, area.width);
-    let crowded = limit_words(app);
-    if let Some((count, shown)) = crowded
-        && app.pages.limit.word > 0
-    {
-        let first = (app.pages.limit.word - 1).min(count.saturating_sub(shown));
-        return write(&lines[first..], body, canvas);
-    }
-    if lines.is_empty() || crowded.is_some() {
+    let height = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
+    // Without room for both the curve comes first.
+    if lines.is_empty() || height.saturating_add(CHART_ROWS) > body.height {
         return chart(app, body, canvas);
     }
-    let height = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
     let (above, words) = split_bottom(body, height);
     chart(app, above, canvas);
     write(&lines, words, canvas);

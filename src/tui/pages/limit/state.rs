@@ -28,6 +28,4 @@ pub struct Ballistic {
     pub cursor: Option<(usize, usize)>,
     /// First visible line of the candidates.
     pub scrolled: usize,
-    /// First visible text line, counted from 1, if curve and text do not both fit; 0 for the curve.
-    pub word: usize,
 }
