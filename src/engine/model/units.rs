@@ -3,15 +3,16 @@
 //! All other modules use SI. This module parses text into SI numbers, formats numbers as text, and defines the units of each dimension. It
 //! does not depend on scenes or the terminal.
 
+mod error;
 mod table;
 
+pub use error::UnitError;
 pub use table::Dimension;
 use table::UNITS;
 
 /// Returns the error for NaN, an infinity, or an overflow such as `1e999`.
-fn not_finite(text: &str, quantity: Dimension) -> String {
-    let (shown, example) = (quoted(text), quantity.example());
-    format!("`{shown}` is not a finite number: write for example `{example}`")
+fn not_finite(text: &str, quantity: Dimension) -> UnitError {
+    UnitError::NotFinite { text: quoted(text), example: quantity.example() }
 }
 
 /// Quotes the text as written, shortened if it is long.
@@ -35,20 +36,19 @@ pub enum Bare<'u> {
 }
 
 /// Parses a quantity; the result is in the stored unit (SI, degrees for angles). Errors contain the remedy and count columns from 1.
-pub fn parse(text: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, String> {
+pub fn parse(text: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, UnitError> {
     let trimmed = text.trim();
     let example = quantity.example();
     if trimmed.is_empty() {
-        return Err(format!("empty: write a number, for example `{example}`"));
+        return Err(UnitError::Empty { example });
     }
-    let shown = quoted(trimmed);
     let column = |rest: &str| 1 + text.trim_end().chars().count() - rest.chars().count();
     let (value, rest) = expression(trimmed).ok_or_else(|| {
         let column = column(&trimmed[number_prefix(trimmed)..]);
-        format!("`{shown}` is not a number (column {column}): write for example `{example}`")
+        UnitError::NotANumber { text: quoted(trimmed), column, example }
     })?;
-    if let Some(point) = with_point(trimmed, rest) {
-        return Err(format!("`{shown}` has a comma (column {}): {point}", column(rest)));
+    if let Some(cure) = with_point(trimmed, rest) {
+        return Err(UnitError::Comma { text: quoted(trimmed), column: column(rest), cure });
     }
     let unit = match (rest.trim(), bare) {
         ("", Bare::In(shown)) => shown,
@@ -57,9 +57,7 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, Str
     let needs_unit = bare == Bare::Si && quantity == Dimension::Angle;
     // Zero needs no unit.
     if unit.is_empty() && needs_unit && value != 0.0 {
-        return Err(format!(
-            "`{shown}` is an angle without a unit: write `{shown} deg` or `{shown} rad`"
-        ));
+        return Err(UnitError::AngleWithoutUnit { text: quoted(trimmed) });
     }
     let (times, over) = factor(unit, quantity).ok_or_else(|| {
         let bare = match bare {
@@ -67,8 +65,8 @@ pub fn parse(text: &str, quantity: Dimension, bare: Bare<'_>) -> Result<f64, Str
             Bare::Si | Bare::Stored => no_unit_for(quantity.unit()),
             Bare::In(shown) => no_unit_for(shown),
         };
-        let (shown, column, accepted) = (quoted(unit), column(unit), quantity.accepted());
-        format!("`{shown}` is not a unit of this quantity (column {column}): use {accepted}{bare}")
+        let allowed = format!("{}{bare}", quantity.accepted());
+        UnitError::NotAUnit { unit: quoted(unit), column: column(unit), allowed }
     })?;
     let scaled = value * times / over;
     if scaled.is_finite() { Ok(scaled) } else { Err(not_finite(trimmed, quantity)) }
@@ -91,7 +89,7 @@ fn with_point(text: &str, rest: &str) -> Option<String> {
 }
 
 /// Returns the error for a range with a unit at one end only; `None` if both ends have one. Zero needs no unit.
-pub fn one_bare_end(low: &str, high: &str, quantity: Dimension) -> Option<String> {
+pub fn one_bare_end(low: &str, high: &str, quantity: Dimension) -> Option<UnitError> {
     let (low, high) = (low.trim(), high.trim());
     let unit_of = |text| {
         let (value, rest) = expression(text)?;
@@ -110,7 +108,8 @@ pub fn one_bare_end(low: &str, high: &str, quantity: Dimension) -> Option<String
     } else {
         format!(" or `{}`", range(quantity.unit()))
     };
-    Some(format!("`{bare}` has no unit and `{other}` has one: write `{}`{or}", range(unit)))
+    let cure = format!("`{}`{or}", range(unit));
+    Some(UnitError::UnitAtOneEnd { bare: bare.to_owned(), other: other.to_owned(), cure })
 }
 
 /// Parses a quantity that may be relative to `old`: `*2`, `/3`, `+5%`, `-5%`, else as [`parse`].
@@ -121,7 +120,7 @@ pub fn parse_relative(
     old: f64,
     quantity: Dimension,
     bare: Bare<'_>,
-) -> Result<f64, String> {
+) -> Result<f64, UnitError> {
     let trimmed = text.trim();
     let plain = |rest: &str| parse(rest, Dimension::Number, Bare::Stored);
     let new = if let Some(rest) = trimmed.strip_prefix('*') {
@@ -460,14 +459,14 @@ mod tests {
             ("2 mkg", "`mkg` is not a unit"),
         ];
         for (text, fragment) in cases {
-            let error = parse(text, Dimension::Length, Bare::Stored).unwrap_err();
+            let error = parse(text, Dimension::Length, Bare::Stored).unwrap_err().to_string();
             assert!(error.contains(fragment), "{text}: {error}");
         }
         for (quantity, cure) in [
             (Dimension::Number, "use %, or no unit"),
             (Dimension::Twist, "use rad/m, rad/mm, deg/m, deg/mm, or no unit for rad/m"),
         ] {
-            let error = parse("5 lb", quantity, Bare::Si).unwrap_err();
+            let error = parse("5 lb", quantity, Bare::Si).unwrap_err().to_string();
             assert!(error.ends_with(cure), "{error}");
         }
     }

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use cmra_engine::model::units::UnitError;
 use cmra_engine::model::variables::VariableError;
 
 /// Why a study over variables is refused before anything runs, or has no answer.
@@ -19,7 +20,7 @@ pub enum StudyError {
         /// Axis as it was written.
         axis: String,
         /// Reason, with the remedy.
-        problem: AxisProblem,
+        problem: Box<AxisProblem>,
     },
     /// A scene that is to be swept has no axis.
     #[error("a sweep needs at least one axis, for example gamma=0.8..7:101")]
@@ -126,7 +127,7 @@ pub enum StudyError {
 impl StudyError {
     /// Creates the error of an axis.
     pub(in crate::study) fn axis(axis: impl Into<String>, problem: AxisProblem) -> Self {
-        Self::Axis { axis: axis.into(), problem }
+        Self::Axis { axis: axis.into(), problem: Box::new(problem) }
     }
 }
 
@@ -160,19 +161,16 @@ pub enum AxisProblem {
         part: String,
     },
     /// A value cannot be read.
-    #[error("{place}: {problem}")]
+    #[error("{place}: {source}")]
     Unreadable {
         /// Place of the value.
         place: &'static str,
-        /// Description of the error, with the remedy.
-        problem: String,
+        /// Reason, with the remedy.
+        source: UnitError,
     },
-    /// Only one end has a unit.
-    #[error("{cure}")]
-    UnitAtOneEnd {
-        /// The two ends, and how to write them.
-        cure: String,
-    },
+    /// The units of the ends do not go together.
+    #[error(transparent)]
+    Unit(#[from] UnitError),
     /// Only some values of a list have a unit.
     #[error("give all values of the list a unit, or none")]
     UnitsInList,
@@ -184,7 +182,7 @@ pub enum AxisProblem {
     },
     /// The name is not that of a variable.
     #[error(transparent)]
-    Variable(#[from] Box<VariableError>),
+    Variable(#[from] VariableError),
     /// The variable has no numbers.
     #[error("it has no numbers to sweep over, only {choices}; sweep a numeric variable")]
     NoNumbers {

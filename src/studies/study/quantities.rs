@@ -13,7 +13,7 @@ use crate::study::verdict::Expected;
 use cmra_engine::model::mechanism::load;
 use cmra_engine::model::run::{Run, RunResult};
 use cmra_engine::model::scene::Scene;
-use cmra_engine::model::units::{self, Bare, Dimension, engineering};
+use cmra_engine::model::units::{self, Bare, Dimension, UnitError, engineering};
 
 mod mount;
 mod names;
@@ -356,13 +356,13 @@ impl Quantity {
     }
 
     /// Parses a value in SI or with a unit (`45mm`, `20 kN`, `1kJ`); percentages as displayed (`60` or `60 %`).
-    pub fn parse(&self, text: &str) -> Result<f64, String> {
+    pub fn parse(&self, text: &str) -> Result<f64, UnitError> {
         let bare = if self.unit() == "%" { text.trim().trim_end_matches('%') } else { text };
         units::parse(bare, self.kind, Bare::Si)
     }
 
     /// Reads a value; a bare number has the unit shown beside the field.
-    pub fn parse_in(&self, text: &str, unit: &str) -> Result<f64, String> {
+    pub fn parse_in(&self, text: &str, unit: &str) -> Result<f64, UnitError> {
         // A bare percentage is already in per cent.
         if self.unit() == "%" {
             self.parse(text)

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::model::units::UnitError;
+
 /// Reason why a variable cannot be set, or why values make no sense together, with the remedy.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum VariableError {
@@ -14,14 +16,14 @@ pub enum VariableError {
         cure: String,
     },
     /// The text is not a number of the variable's dimension.
-    #[error("{symbol} ({key}): {problem}")]
+    #[error("{symbol} ({key}): {source}")]
     Unreadable {
         /// Symbol of the variable.
         symbol: &'static str,
         /// Key of the variable.
         key: &'static str,
-        /// Description of the error, with the remedy.
-        problem: String,
+        /// Reason, with the remedy.
+        source: UnitError,
     },
     /// The word is not a choice of the variable.
     #[error("{symbol} ({key}) = `{value}` is not one of {allowed}")]

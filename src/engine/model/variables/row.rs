@@ -213,7 +213,7 @@ impl<S: Default> Row<S> {
                 let old = (number.get)(scene).unwrap_or(0.0);
                 let value = units::parse_relative(text, old, number.quantity, bare);
                 let Self { symbol, key, .. } = *self;
-                let refuse = |problem| VariableError::Unreadable { symbol, key, problem };
+                let refuse = |source| VariableError::Unreadable { symbol, key, source };
                 value.map(Value::Number).map_err(refuse)
             }
             RowKind::Choice { words, .. } => {

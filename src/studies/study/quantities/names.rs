@@ -126,7 +126,7 @@ mod tests {
         assert_eq!(read("mount_impulse_n_s", "12 N s"), Ok(12.0));
         assert_eq!(read("areal_mass_kg_m2", "4 g/cm2"), Ok(40.0));
         assert_eq!(read("percent_of_baseline", "60 %"), Ok(60.0));
-        let wrong = read("stored_energy_j", "1kN").unwrap_err();
+        let wrong = read("stored_energy_j", "1kN").unwrap_err().to_string();
         assert!(wrong.contains("use J, kJ") && wrong.ends_with("or no unit for J"), "{wrong}");
     }
 

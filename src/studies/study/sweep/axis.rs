@@ -298,7 +298,7 @@ fn check_count(range: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<(), Ax
 pub(in crate::study) fn numeric(
     name: &str,
 ) -> Result<(&'static Variable, &'static Number), StudyError> {
-    let unknown = |source| StudyError::axis(name, AxisProblem::Variable(Box::new(source)));
+    let unknown = |source| StudyError::axis(name, AxisProblem::Variable(source));
     let variable = variables::find(name).map_err(unknown)?;
     let number = variable.number().ok_or_else(|| {
         let choices = variable.allowed();

@@ -118,7 +118,7 @@ pub(in crate::study) fn ends(
 ) -> Result<(f64, f64), AxisProblem> {
     let ends = (value(low, "LO", quantity, bare)?, value(high, "HI", quantity, bare)?);
     let mixed = units::one_bare_end(low, high, quantity);
-    mixed.map_or(Ok(ends), |cure| Err(AxisProblem::UnitAtOneEnd { cure }))
+    mixed.map_or(Ok(ends), |problem| Err(problem.into()))
 }
 
 fn value(
@@ -127,7 +127,7 @@ fn value(
     quantity: Dimension,
     bare: Bare<'_>,
 ) -> Result<f64, AxisProblem> {
-    let unreadable = |problem| AxisProblem::Unreadable { place, problem };
+    let unreadable = |source| AxisProblem::Unreadable { place, source };
     units::parse(text, quantity, bare).map_err(unreadable)
 }
 
