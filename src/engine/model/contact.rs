@@ -127,6 +127,11 @@ impl NoseGeometry {
         self.radius_m * (1.0 + self.sin) / self.cos
     }
 
+    /// Returns the depth from which the nose is buried in a piece of the area law, m.
+    pub(in crate::model) fn buried_from_m(&self) -> f64 {
+        self.partial_to_m
+    }
+
     fn is_normal(&self) -> bool {
         self.sin < NORMAL_BELOW
     }

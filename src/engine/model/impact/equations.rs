@@ -11,9 +11,6 @@ use crate::model::impact::state::State;
 use crate::numerics::step::{Jacobian, Point};
 use crate::numerics::{larger, smaller};
 
-/// Negligible velocity of the plate, relative to the impact velocity: below the error of its velocity at the smallest tolerance.
-const VELOCITY_RESOLUTION: f64 = 1e-18;
-
 /// Equations of motion in a mode.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Equations<'a> {
@@ -248,9 +245,9 @@ impl Equations<'_> {
         self.contact_n(state) * self.setup.cos + self.joined_weight_n() - spring
     }
 
-    /// Returns the negligible velocity, m/s.
+    /// Returns the negligible velocity of the plate, m/s: its smallest error at the smallest tolerance.
     pub(super) fn unresolved_m_s(&self) -> f64 {
-        VELOCITY_RESOLUTION * self.setup.reference.velocity_m_s
+        ROUNDING * self.least_sizes().1[1]
     }
 
     /// Returns the smallest error scales: 1e-3 of the reference length and velocity; for the plate 1e-9 and 1e-6 of these.

@@ -22,8 +22,6 @@ use crate::numerics::quadrature::GAUSS_10;
 
 /// Number of rows after which only the ends of steps are kept.
 const ROWS_MAX: usize = 20_000;
-/// Relative distance of the pieces of the area law of an oblique section from the exact depths.
-const NEAR_DEPTH: f64 = 1e-2;
 
 /// Recorder of a run.
 #[derive(Clone, Debug, Default)]
@@ -434,12 +432,11 @@ impl Recorder {
     /// Marks the buried nose and the arrival at the rear face, at an end of a piece of the area law.
     fn pass_joint(&mut self, setup: &ImpactParameters, state: &State) {
         let geometry = &setup.geometry;
-        let is_at = |depth_m: f64, part: f64| {
-            (geometry.depth_m(state.q_m) - depth_m).abs() < part * depth_m
-        };
-        if is_at(geometry.thickness_m, RESOLUTION) {
+        let is_at =
+            |depth_m: f64| (geometry.depth_m(state.q_m) - depth_m).abs() < RESOLUTION * depth_m;
+        if is_at(geometry.thickness_m) {
             self.note(state.t_s, EventKind::RearFace);
-        } else if is_at(geometry.nose.full_from_m(), NEAR_DEPTH) {
+        } else if is_at(geometry.nose.buried_from_m()) {
             self.note(state.t_s, EventKind::NoseBuried);
         }
     }

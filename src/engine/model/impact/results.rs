@@ -9,7 +9,7 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
-use crate::model::impact::resolution::{NEGLIGIBLE, RESOLUTION};
+use crate::model::impact::resolution::{CHANGES_MANY, NEGLIGIBLE, RESOLUTION};
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
@@ -27,9 +27,6 @@ const DRIFT: f64 = 1e-8;
 
 /// Work of the weight above which a warning is given if it is not included, relative to the energy of the impact.
 const WEIGHT_FRACTION: f64 = 0.02;
-/// Number of contact changes after which the depth of a slipping projectile is given as an interval. The remaining uncertainty decreases
-/// with the square of the number.
-const CHANGES_TO_INTERVAL: usize = 64;
 
 /// State of an impact, from which all results follow.
 #[derive(Clone, Debug)]
@@ -76,7 +73,7 @@ impl ImpactRun<'_> {
         let deepens_m =
             self.equations().deepens_at_most_m(&self.state).filter(|_| self.has_no_horizon())?;
         let is_little = deepens_m < self.scene.run.tolerance * self.mode.deepest_m;
-        let is_long = self.record.cost.events >= CHANGES_TO_INTERVAL;
+        let is_long = self.record.cost.events >= CHANGES_MANY;
         (is_little || is_long).then_some((Outcome::Arrested, deepens_m))
     }
 

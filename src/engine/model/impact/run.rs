@@ -14,7 +14,7 @@ use crate::model::impact::modes::{Event, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
 use crate::model::impact::reduced_system::ReducedSystem;
-use crate::model::impact::resolution::RESOLUTION;
+use crate::model::impact::resolution::{CHANGES_MANY, RESOLUTION, TOLERANCE_RATIO};
 use crate::model::impact::results::{self, ImpactRun};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
@@ -27,28 +27,17 @@ use crate::numerics::{larger, smaller};
 
 /// Size of the first step, relative to `R / v_i`.
 const FIRST_STEP: f64 = 0.5;
-/// Factor on the first step of the second computation of an error estimate, if a law is singular at the start. The error of that step
-/// depends on its size more than on the number of stages, so that equal steps would have nearly equal errors.
-const SECOND_START: f64 = 1.0 / 16.0;
 /// Distance from the end of a step, relative to its size, within which an event is taken from the dense output. The error of the dense
 /// output there is that of the end.
 const NEAR_END: f64 = 1e-5;
-/// Maximum number of steps that are tried to end at an event.
-const LANDINGS_MAX: usize = 6;
-/// Maximum number of secant iterations for the step size that ends at an event; the order of convergence is 1.6.
-const SECANTS: usize = 8;
-/// Minimum step size, relative to `R / v_i`; smaller steps do not change t.
-const MIN_STEP_FRACTION: f64 = 1e-15;
-/// Turns of the plate and changes of its contact after the first contact from which on these, and not the steps between them, use up the
-/// work of a run. Decided runs rarely have more.
-const CHANGES_FEW: usize = 100;
+/// Maximum number of iterations to an event: of steps that are tried to end at it, and of the secant method for the size of such a step,
+/// whose order of convergence is 1.6.
+const LANDINGS_MAX: usize = 8;
 /// Maximum number of steps after the results are known, for the peak loads and for the time series. A strongly damped plate may not reverse,
 /// and a stiff mount can oscillate a million times meanwhile.
 const STEPS_FOLLOWED: usize = 200;
 /// Number of reversals for which the plate is simulated after the outcome is decided, for its peak loads: one forward, one back.
 const TURNS_FOLLOWED: usize = 2;
-/// Part of the work of a run that this simulation may take, one in so many.
-const EXTENSION: usize = 8;
 
 /// State of a run in progress.
 struct IntegrationLoop<'a, M, const S: usize> {
@@ -118,7 +107,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             self.h_s = state.t_s;
             record.first_moment(setup, works_j);
         } else if setup.is_second() && (Equations { setup, mode }).starts_at_singularity() {
-            self.h_s *= SECOND_START;
+            // The error of this step depends on its size more than on the number of stages.
+            self.h_s *= TOLERANCE_RATIO;
         }
         if setup.starts_on_stop() && state.w_m_s > 0.0 {
             self.apply_transition(Event::StopReached, self.course.state);
@@ -159,7 +149,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         let is_over = record.first_arrest.is_some() || record.exit.is_some();
         if record.cost.work() > self.work_max {
             let oscillates =
-                is_over && self.course.has_no_horizon() && turns + events > CHANGES_FEW;
+                is_over && self.course.has_no_horizon() && turns + events > CHANGES_MANY;
             return Some(if oscillates { EndReason::Oscillates } else { EndReason::StepBudget });
         }
         if let Some(event) = missed {
@@ -194,7 +184,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
     fn extend_for_output(&mut self, observer: Observer<'_>) -> EndReason {
         let is_drawn = self.course.record.keep_series && self.course.has_no_horizon();
         let Cost { turns, steps, .. } = self.course.record.cost;
-        self.work_max = self.course.record.cost.work() + self.work_max / EXTENSION;
+        self.work_max = self.work_max.saturating_add(self.course.record.cost.work());
         self.course.horizon_s = f64::INFINITY;
         let mut loads: Option<Loads> = None;
         let ended = loop {
@@ -292,8 +282,9 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         let events: Vec<_> = events::possible_events(self.course.setup, equations.mode).collect();
         let left_s = self.course.horizon_s - start.t_s;
         let h_s = smaller(self.h_s, smaller(left_s, equations.approach_s(start)));
-        let no_time_s = MIN_STEP_FRACTION * self.course.setup.passage_s();
-        if h_s < MIN_STEP_FRACTION * no_time_s {
+        // Smaller steps do not change the time.
+        let no_time_s = f64::EPSILON * self.course.setup.passage_s();
+        if h_s < f64::EPSILON * no_time_s {
             return Some(EndReason::StepUnderflow);
         }
         let near = self.previous.map(|(before_s, acceleration)| StagePredictor {
@@ -410,7 +401,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
 fn near_root(f: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b) = (1.0 - 1e-3, 1.0);
     let (mut at_a, mut at_b) = (f(a), f(b));
-    for _ in 0..SECANTS {
+    for _ in 0..LANDINGS_MAX {
         let change = at_b - at_a;
         // Equal values differ only by rounding errors.
         if at_b == 0.0 || change == 0.0 {
