@@ -36,8 +36,6 @@ const LANDINGS_MAX: usize = 8;
 /// Maximum number of steps after the results are known, for the peak loads and for the time series. A strongly damped plate may not reverse,
 /// and a stiff mount can oscillate a million times meanwhile.
 const STEPS_FOLLOWED: usize = 200;
-/// Number of reversals for which the plate is simulated after the outcome is decided, for its peak loads: one forward, one back.
-const TURNS_FOLLOWED: usize = 2;
 
 /// State of a run in progress.
 struct IntegrationLoop<'a, M, const S: usize> {
@@ -179,22 +177,20 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         }
     }
 
-    /// Continues after the results are final: to the second reversal for the peak loads of mount and interface, and for the time series to
-    /// the end of the contact and to the maximum displacement.
+    /// Continues after the results are final: while the peak loads of mount and interface can grow, and for the time series to the end of the
+    /// contact and to the maximum displacement.
     fn extend_for_output(&mut self, observer: Observer<'_>) -> EndReason {
         let is_drawn = self.course.record.keep_series && self.course.has_no_horizon();
-        let Cost { turns, steps, .. } = self.course.record.cost;
+        let steps = self.course.record.cost.steps;
         self.work_max = self.work_max.saturating_add(self.course.record.cost.work());
         self.course.horizon_s = f64::INFINITY;
         let mut loads: Option<Loads> = None;
         let ended = loop {
-            let cost = &self.course.record.cost;
-            let (turned, stepped) = (cost.turns - turns, cost.steps - steps);
-            let is_followed = turned < TURNS_FOLLOWED && stepped < STEPS_FOLLOWED;
+            let is_followed = self.course.record.cost.steps - steps < STEPS_FOLLOWED;
             if loads.is_none() && !(is_followed && self.course.loads_may_grow()) {
                 loads = Some(self.course.record.loads);
             }
-            let draws = is_drawn && stepped < STEPS_FOLLOWED && self.course.is_drawn();
+            let draws = is_drawn && is_followed && self.course.is_drawn();
             if (loads.is_some() && !draws) || self.is_at(self.course.horizon_s) {
                 break None;
             }

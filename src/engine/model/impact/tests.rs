@@ -53,6 +53,17 @@ pub(super) fn is_near(value: f64, exact: f64, fraction: f64) -> bool {
     (value - exact).abs() <= fraction * exact.abs()
 }
 
+/// A run without a horizon continues as one with a horizon does while a load can grow: here the greatest load comes after two reversals.
+#[test]
+fn valid_a_peak_load_after_many_reversals_counts() {
+    let pairs = "n=0.17729 k=545.64 gamma=0.55492 v_i=54.733 h=1.1444mm S_y=169.78MPa C_d=0.25103 x_stop=0.73556mm stop_kind=elastic \
+                 k_stop=7.5151e9 b_stop=65992";
+    let [found, followed] =
+        [pairs.to_owned(), format!("{pairs} horizon=10ms")].map(|pairs| shot(&pairs));
+    let [found, followed] = [found, followed].map(|run| run.interface.demand_ratio.unwrap());
+    assert!(followed > 0.72 && is_near(found, followed, 1e-9), "{found} {followed}");
+}
+
 /// On a free plate of the projectile's mass u = v cos(pi t/T): common velocity after half of the history, at a travel of v T/pi, and
 /// where the plate is v T (1/4 - 1/(2 pi)); afterwards both go on together. A rigid mount sees all of it: v T/2.
 #[test]
