@@ -168,6 +168,7 @@ fn list() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cmra_engine::model::run::{ContactMode, EventKind};
 
     use std::collections::BTreeSet;
     use std::fs;
@@ -375,7 +376,9 @@ mod tests {
         ];
         let choices = VARIABLES.iter().flat_map(|it| it.keys().iter().copied());
         let listed = WORDS.iter().flat_map(|(words, _)| words.iter().copied());
-        for word in words.into_iter().chain(choices).chain(listed) {
+        let modes = ContactMode::ALL.iter().map(|it| it.word());
+        let of_rows = EventKind::ALL.iter().map(|it| it.words()).chain(modes);
+        for word in words.into_iter().chain(choices).chain(listed).chain(of_rows) {
             let found = pages(word).unwrap_or_else(|error| panic!("{word}: {error}"));
             assert!(found.iter().all(|page| page.len() > 20), "{word}: {found:?}");
         }

@@ -29,7 +29,7 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
     (&["unbounded"], "peak force if a fused plate hits its rigid stop: infinite in this model"),
     (&["mount"], "maximum force of spring, damper and stop on the mount (peak_mount_force_n)"),
     (
-        &["arrest", "first arrest", "first stop", "first stops", "stops first"],
+        &["arrest", "first arrest", "first stop", "stops first", "projectile first stops"],
         "first zero of the relative velocity: projectile and plate have a common velocity, and penetration stops for the first time",
     ),
     (&["common velocity"], "velocity of projectile and plate at the first arrest"),
@@ -54,19 +54,45 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
         &["ended early"],
         "the run stopped before its outcome was decided: a limit of steps, a cancel, or a result that is not finite",
     ),
+    (&["rear face reached", "nose out of rear face"], "the tip of the nose is through the plate"),
+    (&["penetration resumes", "resumes"], "event: the projectile moves on into the plate"),
+    (&["pull-out begins"], "event: the plate pulls harder than the grip of its hole"),
+    (
+        &["separation", "contact again"],
+        "event: the nose leaves the plate through its entry face; it is struck by the plate again",
+    ),
+    (
+        &["stop hit", "held by the stop", "leaves the stop"],
+        "event: the plate meets its stop, rests on it, or comes off it",
+    ),
+    (&["interface limit exceeded"], "event: a fused interface is loaded beyond its strength"),
+    (
+        &["undecided", "lower bounds", "so far"],
+        "not known to perforate nor to be stopped: the run ended early; the final depth and displacement are not smaller",
+    ),
+    (
+        &["if it can yield"],
+        "result of the same shot with interface=plastic, beside that with a fused interface",
+    ),
+    (
+        &["energy stored at most", "turning with plate"],
+        "maximum energy of springs and of parts that turn with the plate (stored_energy_j, rotational_energy_j)",
+    ),
     (&["nose buried", "buried"], "event: the nose is in the plate over its whole radius"),
     (
         &["event", "events"],
         "instants at which the equations change, such as the first arrest or the meeting of a stop",
     ),
     (
-        &["mode"],
-        "contact mode of a row: the projectile penetrates, moves with the plate, has come loose, or has left",
+        &["mode", "penetrating", "withdrawing", "free-flight", "closing"],
+        "contact mode of a row: penetrating; fused, at rest in the plate; withdrawing, slipping out of its hole; closing, moving back to its \
+         bottom; free-flight, without contact; perforated",
     ),
     (
         &["slip", "q"],
         "displacement of the projectile relative to the plate: the path of the contact force",
     ),
+    (&["method"], "integration method of a run, and why it was chosen"),
     (&["evaluations"], "of the equations of motion: the work of a run"),
     (&["share"], "fraction of a total, such as that of the energy at the start"),
     (
@@ -95,7 +121,7 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
         "energy that an absorber has taken by being crushed; it does not return",
     ),
     (
-        &["plug", "plug sheared", "plug pick-up"],
+        &["plug", "plug sheared", "plug pick-up", "plug picked up"],
         "disc that a blunt nose punches out of the plate: it is accelerated (pick-up) and sheared out along its edge",
     ),
     (&["shear", "sheared"], "shearing of the plug out of the plate, and its energy"),
@@ -376,7 +402,7 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
     ),
     (&["rows compared", "compared"], "points of a measured trace that were compared with the run"),
     (
-        &["steps", "step"],
+        &["steps", "step", "accepted", "rejected"],
         "accepted time steps of a run; rejected steps are repeated with a smaller size",
     ),
     (&["dt"], "step size of a method with fixed steps, s"),
