@@ -109,6 +109,17 @@ fn a_free_plate_is_worth_one_plus_one_over_gamma() {
     }
 }
 
+/// A heavy projectile that any touch drives through a plate that comes towards it is limited by that plate's own velocity: a slower one
+/// does not reach it.
+#[test]
+fn a_shot_too_slow_to_reach_the_plate_is_no_cancelled_one() {
+    let report = plain("w_0=5 S_y=1.5e6 m_p=40");
+    assert_eq!(report.entries.len(), Candidate::ALL.len());
+    let own = report.entry(Candidate::Scene).unwrap();
+    assert!(close(own.perforation.velocity_m_s().unwrap(), 5.0, 1e-8), "{:?}", own.perforation);
+    assert!(own.at_limit.is_none());
+}
+
 /// After the arrest plate and projectile oscillate together; at the turning point the spring stores all of their kinetic energy.
 #[test]
 fn the_spring_stores_what_the_swing_brings() {
