@@ -72,3 +72,16 @@ fn a_model_is_set_by_name_and_unknown_names_are_refused() {
     assert_eq!(status, 2);
     assert!(text.contains("set model = hydrodynamic"), "{text}");
 }
+
+/// A model without a rear face tells of no shot that it is stopped, nor of a limit.
+#[test]
+fn a_model_that_cannot_perforate_stops_nothing() {
+    for model in ["half-sine", "initial-velocity", "lumped"] {
+        let model = format!("model={model}");
+        let shot = ["--set", &model, "--set", "h=1mm", "--set", "v_i=400"];
+        let (page, _) = cmra(&[&["run"], &shot[..]].concat());
+        assert!(page.contains("cannot perforate") && !page.contains("is stopped"), "{page}");
+        let (page, _) = cmra(&[&["limit"], &shot[..]].concat());
+        assert!(page.contains("cannot perforate") && !page.contains("3000 m/s"), "{page}");
+    }
+}

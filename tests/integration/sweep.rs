@@ -425,7 +425,8 @@ fn a_missing_depth_is_not_reported_as_a_perforation() {
         let scene = ["--set", "model=initial-velocity", "--set", &set];
         for (command, more) in [("run", &[][..]), ("sweep", &["--over", "v_i=10..20:2"])] {
             let page = says(command, &[&scene[..], more].concat(), 0).0;
-            assert!(!page.contains("perforate"), "{command} {mount}: {page}");
+            let is_said = ["perforates", "perforated"].iter().any(|word| page.contains(word));
+            assert!(!is_said, "{command} {mount}: {page}");
         }
     }
 }

@@ -47,6 +47,11 @@ pub fn object(verdict: &Verdict) -> Map<String, Value> {
 pub fn sentence(scene: &Scene, verdict: &Verdict, by_law: Option<Outcome>) -> String {
     let v = velocity(scene.projectile.velocity_m_s, 4);
     let Some(expected) = &verdict.expected else {
+        let model = scene.contact.model;
+        if !model.knows_perforation() {
+            let why = why_not(scene);
+            return format!("not measured: {why}; the {} model cannot perforate", model.word());
+        }
         let is_low = envelope::is_law_low(scene);
         let is_stopped = matches!(by_law, Some(Outcome::Arrested | Outcome::Separated));
         let is_between = is_stopped && !limit::is_stopped_by_every_closure(scene);

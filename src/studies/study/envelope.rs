@@ -217,7 +217,7 @@ fn of_nose(scene: &Scene) -> Vec<(Direction, String, String)> {
 }
 
 fn thickness(scene: &Scene) -> Option<Breach> {
-    if !matches!(scene.contact.model, ContactModel::Hydrodynamic | ContactModel::Appendix) {
+    if !scene.contact.model.knows_perforation() {
         return None;
     }
     let ratio = thickness_ratio(scene);

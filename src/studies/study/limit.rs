@@ -65,6 +65,8 @@ pub enum Limit {
     Never,
     /// Every velocity in range perforates.
     Always,
+    /// The contact model cannot perforate.
+    NotModelled,
     /// Cancelled before the limit was found.
     Unknown,
 }
@@ -114,6 +116,9 @@ impl Limit {
             Self::Always => {
                 Some(format!("no limit: everything from {low} to {high} m/s perforates"))
             }
+            Self::NotModelled => Some(
+                "no limit: the contact model cannot perforate; set model = hydrodynamic".to_owned(),
+            ),
             Self::Unknown => Some("stopped before the limit was found".to_owned()),
         }
     }

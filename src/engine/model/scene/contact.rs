@@ -86,6 +86,13 @@ labelled_enum! {
     }
 }
 
+impl ContactModel {
+    /// Returns `true` for a model that knows the plate's rear face, and so whether a shot perforates.
+    pub fn knows_perforation(self) -> bool {
+        matches!(self, Self::Hydrodynamic | Self::Appendix)
+    }
+}
+
 impl Listing {
     /// Creates the printed listing with corrected depth, damper and obliquity: depth follows from the whole relative travel, the damper
     /// resists, and both couplings include the cosine of the obliquity.

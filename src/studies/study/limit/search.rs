@@ -155,6 +155,9 @@ impl ShotRunner<'_, '_, '_> {
 
     /// Computes the limit over the whole velocity range, by closed form or by outcome.
     fn limit(&mut self) -> Limit {
+        if !self.scene.contact.model.knows_perforation() {
+            return Limit::NotModelled;
+        }
         if let Some(velocity_m_s) = closed_form(self.scene) {
             return if velocity_m_s < RANGE_M_S.0 {
                 Limit::Always
@@ -273,7 +276,7 @@ impl ShotRunner<'_, '_, '_> {
                 let step = (high / low).powf(1.0 / ABOVE as f64);
                 (0..=ABOVE).map(|i| low * step.powf(i as f64)).collect()
             }
-            Limit::Unknown => Vec::new(),
+            Limit::NotModelled | Limit::Unknown => Vec::new(),
         };
         let (scene, stop) = (self.scene, self.context.stop());
         // Shared settings make the result independent of the order in which the shots end.
