@@ -22,7 +22,7 @@ fn valid_limits_in_closed_form_come_with_their_margin() {
 fn the_page_has_its_sections_and_reasons_for_missing_ones() {
     let page = printed("limit", &["--set", "v_i=400"]);
     for words in
-        ["limit velocity  344.328", "400.0 m/s perforates", "Lambert-Jonas", "common velocity"]
+        ["limit velocity  344.328", "400.0 m/s perforates", "Lambert-Jonas", "moves along with"]
     {
         assert!(page.contains(words), "{words}: {page}");
     }

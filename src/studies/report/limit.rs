@@ -111,9 +111,9 @@ fn carried(report: &LimitReport) -> Option<String> {
         ));
     }
     let residual = report.residual_at_limit_m_s.filter(|it| *it > CARRIED * limit_m_s)?;
+    let residual = fixed_significant(residual, 4);
     Some(format!(
-        "Just above the limit the residual velocity is {} m/s, the common velocity of projectile and plate.",
-        fixed_significant(residual, 4)
+        "Just above the limit the residual velocity is {residual} m/s: the plate moves along with the projectile."
     ))
 }
 
