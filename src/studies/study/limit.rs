@@ -93,6 +93,16 @@ impl Limit {
         self
     }
 
+    /// Adds the slowest shot of a curve above the limit that is stopped again, unless a stopped shot is known.
+    fn with_curve(self, shots: &[Shot]) -> Self {
+        let Self::Found { velocity_m_s, stopped_at_m_s: None, .. } = self else { return self };
+        let is_stopped = |shot: &&Shot| {
+            shot.impact_m_s > velocity_m_s
+                && matches!(shot.outcome, Outcome::Arrested | Outcome::Separated)
+        };
+        self.stopped_again(shots.iter().find(is_stopped).map(|shot| shot.impact_m_s))
+    }
+
     /// Returns the limit velocity, m/s; `None` without one.
     pub fn velocity_m_s(self) -> Option<f64> {
         if let Self::Found { velocity_m_s, .. } = self { Some(velocity_m_s) } else { None }
@@ -203,10 +213,12 @@ fn find_within(
     work: &mut ShotWork,
 ) -> Result<LimitReport, VariableError> {
     variables::validate(scene)?;
-    context.expect(SCAN + 41 + 2 * BESIDE.len() + BELOW + ABOVE);
+    context.expect(SCAN + 41 + 2 * BESIDE.len() + 2 * BELOW + ABOVE);
     let mut range = ShotRunner { scene, context, work };
     let limit = range.whole_limit();
     let shots = range.curve(limit);
+    // The curve can have a faster shot that is stopped again between those of the search.
+    let limit = limit.with_curve(&shots);
     let perforated = shots.iter().filter_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
     let perforated: Vec<(f64, f64)> = perforated.collect();
     let found_m_s = limit.velocity_m_s();
@@ -243,7 +255,7 @@ fn alone_within(
     work: &mut ShotWork,
 ) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
-    context.expect(SCAN + 40 + 2 * BESIDE.len());
+    context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW);
     Ok(ShotRunner { scene, context, work }.whole_limit())
 }
 

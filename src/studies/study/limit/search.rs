@@ -18,9 +18,9 @@ use cmra_engine::numerics::smaller;
 
 /// Relative width of the final bracket around the limit.
 const WIDTH: f64 = 1e-10;
-/// Relative distances from a limit at which the outcomes are checked. The limit is unique if all shots below it are stopped and all shots
-/// above it perforate.
-pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
+/// Relative distances from a limit at which the outcomes are checked, beside those of the curve. The limit is unique if all shots below it
+/// are stopped and all shots above it perforate.
+pub(super) const BESIDE: [f64; 6] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.3];
 /// Maximum number of times that the check of a limit may find a lower one.
 const LOWER_MAX: usize = 4;
 /// Relative width of the final bracket around the velocity at which the interface reaches its limit load.
@@ -191,8 +191,11 @@ impl ShotRunner<'_, '_, '_> {
             return Some(limit);
         };
         let mut stopped_m_s = None;
-        for part in BESIDE.iter().rev() {
-            let velocity_m_s = limit_m_s * (1.0 - part);
+        let mut below: Vec<f64> =
+            BESIDE.iter().map(|part| 1.0 - part).chain(curve_below()).collect();
+        below.sort_by(f64::total_cmp);
+        for times in below {
+            let velocity_m_s = times * limit_m_s;
             match self.verdict(velocity_m_s)? {
                 ShotOutcome::Stopped => stopped_m_s = Some(velocity_m_s),
                 ShotOutcome::Undecided => limit = limit.above_undecided(velocity_m_s),
@@ -264,12 +267,10 @@ impl ShotRunner<'_, '_, '_> {
     pub(super) fn curve(&mut self, limit: Limit) -> Vec<Shot> {
         let velocities: Vec<f64> = match limit {
             Limit::Found { velocity_m_s, .. } => {
-                let (from, to) = CURVE;
-                let fraction = |i: usize, n: usize| i as f64 / n as f64;
-                let below = (0..BELOW).map(|i| from + (1.0 - from) * fraction(i, BELOW));
                 // The curve is steepest at the limit.
-                let above = (1..=ABOVE).map(|i| 1.0 + (to - 1.0) * fraction(i, ABOVE).powi(2));
-                below.chain(above).map(|times| times * velocity_m_s).collect()
+                let fraction = |i: usize| i as f64 / ABOVE as f64;
+                let above = (1..=ABOVE).map(|i| 1.0 + (CURVE.1 - 1.0) * fraction(i).powi(2));
+                curve_below().chain(above).map(|times| times * velocity_m_s).collect()
             }
             Limit::Never | Limit::Always => {
                 let (low, high): (f64, f64) = RANGE_M_S;
@@ -290,6 +291,11 @@ impl ShotRunner<'_, '_, '_> {
         self.work.spend(all.iter().map(|found| found.work).sum());
         all.into_iter().map(|found| found.shot).collect()
     }
+}
+
+/// Returns the velocities of the curve below the limit, relative to it.
+fn curve_below() -> impl Iterator<Item = f64> {
+    (0..BELOW).map(|i| CURVE.0 + (1.0 - CURVE.0) * i as f64 / BELOW as f64)
 }
 
 /// Shot with its outcome and its work.

@@ -114,6 +114,22 @@ fn undecided_shots_below_a_known_change_leave_the_limit_known() {
     assert_eq!(found("k=1e5").undecided(), None);
 }
 
+/// The outcome of a snapping spring against an elastic stop alternates with the velocity: no slower shot of the curve perforates, and a
+/// faster one that is stopped is told.
+#[test]
+fn the_curve_does_not_contradict_the_limit() {
+    let pairs = "gamma=2.04792 d=0.648488 x_stop=0.000486347 stop_kind=elastic k_stop=2.5712e9 b_stop=1946.5 v_i=1.96421 \
+                 interface=plastic dishing=off spring=prbm-guided";
+    let report = found(pairs);
+    let limit_m_s = report.limit.velocity_m_s().unwrap();
+    let is_through = |shot: &&Shot| shot.outcome == Outcome::Perforated;
+    let slowest_m_s = report.shots.iter().find(is_through).unwrap().impact_m_s;
+    assert!(limit_m_s < slowest_m_s, "{limit_m_s} {slowest_m_s}");
+    let is_stopped = |shot: &Shot| shot.impact_m_s > limit_m_s && shot.outcome == Outcome::Arrested;
+    let Limit::Found { stopped_at_m_s, .. } = report.limit else { panic!("a limit") };
+    assert!(report.shots.iter().any(is_stopped) && stopped_at_m_s.is_some(), "{report:?}");
+}
+
 /// The stroke of a damped plate is shorter the closer the shot is to the limit. At 1e-6 below it the stroke was 1.3e-4 too long.
 #[test]
 fn valid_the_stroke_at_the_limit_is_that_of_the_last_shot_that_is_stopped() {
