@@ -84,6 +84,19 @@ fn valid_a_spring_of_a_tenth_power_gives_way_by_the_tenth_power_of_the_force() {
     assert_near(run(scene("n=0.1")).max_plate_displacement_m.unwrap(), by_force_m, 1e-3);
 }
 
+/// A plate that moves by 1e-13 m and less is left as fast as a plate on a rigid mount, whose residual velocity has a closed form.
+#[test]
+fn valid_a_shot_leaves_a_plate_on_a_stiff_spring_as_it_leaves_a_rigid_mount() {
+    for pairs in ["k=6e7 n=0.3 R=2mm", "k=2e7 n=0.3 R=2mm", "k=6e7 n=0.3 R=3mm v_i=200"] {
+        let left_m_s = |more: &str| {
+            let found = run(scene(&format!("{pairs} {more}")));
+            assert_eq!(found.outcome, Outcome::Perforated, "{pairs} {more}");
+            found.departure.residual_velocity_m_s.unwrap()
+        };
+        assert_near(left_m_s(""), left_m_s("mount=rigid"), 1e-10);
+    }
+}
+
 #[test]
 fn valid_rows_at_equal_time_steps_of_a_closed_form_are_where_the_plate_is() {
     for horizon in ["horizon=1.2e-4", "horizon=3e-4"] {

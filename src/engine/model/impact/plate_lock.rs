@@ -145,24 +145,23 @@ impl Equations<'_> {
     }
 
     /// Returns `true` if the plate locks again: the contact force decreases, and the remaining energy and force allow only a displacement
-    /// that is a small multiple of the step tolerance and smaller than the maximum displacement so far.
+    /// that is a small multiple of the step tolerance and does not exceed the maximum displacement so far.
     pub(super) fn locks_again(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
         let held_m = RELOCK_FRACTION * self.setup.relock_displacement_m(state.q_m);
-        // The second computation locks where the first does; otherwise its own lock would count as an error of the first.
-        let first_m = match self.setup.numerics.method {
-            IntegrationMethod::Second(first) => held_m * first / self.setup.numerics.tolerance,
-            _ => held_m,
-        };
+        let (x_m, push_n) = (self.displacement_m(state.x_m), self.push_n(state));
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
+        // Energy of spring and push: with less than at the maximum the plate does not reach it again.
+        let well_j = |x_m: f64| spring.energy(x_m) - push_n * x_m;
         Rule::Relock.applies()
             && self.mode.hold == PlateConstraint::Free
             && self.setup.law == ContactLaw::Flow
             && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
             && spring.is_steep_at_zero()
-            && first_m < farthest_m
-            && self.push_n(state).abs() < spring.force(held_m)
-            && speed_j + spring.energy(self.displacement_m(state.x_m)) < spring.energy(held_m)
+            && push_n < spring.force(farthest_m)
+            && speed_j + well_j(x_m) < well_j(farthest_m)
+            && push_n.abs() < spring.force(held_m)
+            && speed_j + spring.energy(x_m) < spring.energy(held_m)
             && self.rate_n_s(state) <= 0.0
     }
 
