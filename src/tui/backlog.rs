@@ -28,8 +28,8 @@ const REPEATS_MAX: usize = 1000;
 /// Queue length from which the cancel key takes priority: about 15 ms of work. Shorter queues are handled in order.
 const OVERTAKEN_MIN: usize = 256;
 
-/// Shortens the queue. A request to quit comes first, the cancel key discards the keys before it, and the number of equal consecutive keys
-/// is limited.
+/// Shortens the queue. A request to quit comes first, the cancel key discards the other keys before it, and the number of equal consecutive
+/// keys is limited.
 pub(super) fn shorten(queue: &mut VecDeque<LoopEvent>, cancels: impl Fn(KeyEvent) -> bool) {
     if queue.len() <= OVERTAKEN_MIN {
         return;
@@ -44,7 +44,8 @@ pub(super) fn shorten(queue: &mut VecDeque<LoopEvent>, cancels: impl Fn(KeyEvent
     let cancel = queue.iter().rposition(is_cancel).filter(|at| *at > OVERTAKEN_MIN).unwrap_or(0);
     let (mut at, mut last, mut repeats) = (0, None, 0);
     queue.retain(|incoming| {
-        let is_overtaken = at < cancel && is_typed(incoming);
+        // Pressed twice the key quits.
+        let is_overtaken = at < cancel && is_typed(incoming) && !is_cancel(incoming);
         at += 1;
         let key = key_of(incoming);
         if key.is_some() && key == last {
@@ -101,9 +102,9 @@ mod tests {
     fn the_key_that_cancels_overtakes_what_was_typed() {
         let mut queue = typed(&"jk".repeat(50_000));
         queue.insert(7, LoopEvent::Resized);
-        queue.push(cancel());
+        queue.extend([cancel(), cancel()]);
         queue.extend(typed("xy"));
-        assert_eq!(shortened(queue), ".^xy");
+        assert_eq!(shortened(queue), ".^^xy");
         // A few keys are handled in order.
         let mut few = typed("2l");
         few.push(cancel());
