@@ -169,12 +169,17 @@ fn in_dialog(app: &mut App, does: impl FnOnce(&mut dyn Dialog, &mut App) -> Outc
 /// Handles keys with the same effect in a field or dialog.
 fn everywhere(app: &mut App, action: Option<Action>) -> bool {
     match action {
-        Some(Action::Cancel)
-            if app.jobs.current.is_none() && (app.dialog.is_some() || app.typing.is_some()) =>
-        {
-            (app.dialog, app.typing) = (None, None);
+        Some(action @ (Action::Suspend | Action::Redraw | Action::Cancel)) => {
+            let is_open = app.dialog.is_some() || app.typing.is_some();
+            if action == Action::Cancel && app.jobs.current.is_none() && is_open {
+                (app.dialog, app.typing) = (None, None);
+                // Studies go on; without one the key counts as the first of two that quit.
+                if pages::all_jobs(app).next().is_some() {
+                    return true;
+                }
+            }
+            act::act(app, action);
         }
-        Some(action @ (Action::Suspend | Action::Redraw | Action::Cancel)) => act::act(app, action),
         _ => return false,
     }
     true

@@ -612,6 +612,21 @@ fn the_key_that_cancels_quits_when_pressed_twice() {
     assert!(matches!(bench.effects.last(), Some(Effect::Quit)));
 }
 
+/// The first key closes what is open, and counts as the first of two.
+#[test]
+fn the_key_that_cancels_quits_when_pressed_twice_in_a_field_or_dialog() {
+    for keys in ["<Enter>", "?", "p", ":", "e", "/ga"] {
+        let mut bench = bench();
+        bench.keys(keys);
+        bench.effects.clear();
+        bench.press("<C-c>");
+        assert!(!bench.app.has_dialog() && bench.app.field().is_none(), "{keys}");
+        assert!(bench.message().contains("Ctrl-c again quits"), "{keys}: {}", bench.message());
+        bench.press("<C-c>");
+        assert!(matches!(bench.effects.last(), Some(Effect::Quit)), "{keys}");
+    }
+}
+
 #[test]
 fn popups_close_by_q_and_escape() {
     for keys in ["?q", "?<Esc>", "p<Esc>", ":<Esc>", "s<Esc>", "e<Esc>"] {
