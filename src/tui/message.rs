@@ -172,7 +172,13 @@ impl PageTable {
         scene: &Arc<Scene>,
         command: impl Into<String>,
     ) -> Self {
-        let file = format!("{}-{}", app.base_stem(), self.file);
+        // The results of another preset are not named after the present one.
+        let stem = if scene.title == app.scene.title {
+            app.base_stem().to_owned()
+        } else {
+            scene.title.to_lowercase().replace(|c: char| !c.is_alphanumeric(), "-")
+        };
+        let file = format!("{stem}-{}", self.file);
         let missing = self.reach.counted("").map(|after| format!("# not complete: {after}\n"));
         let notes = missing.unwrap_or_default();
         Self { file, scene: Some(Arc::clone(scene)), notes, command: command.into(), ..self }

@@ -15,6 +15,7 @@ use cmra::worker::studies::{
 };
 use cmra::worker::{ReportBody, TaskReport, Worker};
 use cmra_engine::model::run::EndReason;
+use cmra_engine::model::scene::Scene;
 
 /// Samples of the Monte Carlo study that runs beside a goal seek: enough to outlast it, few enough for a build without optimisation.
 const SAMPLES: usize = 2000;
@@ -200,6 +201,26 @@ fn a_first_look_says_how_far_it_came() {
     assert_eq!(bench.studies().len(), 1);
     bench.press("r");
     assert_eq!(bench.tasks(|task| Some(task.budget)), [None]);
+}
+
+/// Results that another preset gave keep its title in the name of their file.
+#[test]
+fn the_results_of_another_preset_are_not_exported_under_the_present_name() {
+    let mut bench = Bench::ascii(120, 36);
+    let titled = |title: &str, bench: &mut Bench| {
+        let scene = bench.app.scene.as_ref().clone();
+        bench.app.scene = Arc::new(Scene { title: title.to_owned(), ..scene });
+    };
+    titled("Baseline of chapter 9", &mut bench);
+    bench.press("444r");
+    let study = bench.studies().pop().expect("a search");
+    bench.reply(study.id, ended(search::found(&study)));
+    bench.app.base.name = "free-plate".to_owned();
+    titled("Free plate", &mut bench);
+    bench.keys("e<Enter>");
+    let (to, ..) = bench.exported().expect("an export");
+    let file = to.path.file_name().unwrap().to_string_lossy().into_owned();
+    assert!(file.starts_with("baseline-of-chapter-9-"), "{file}");
 }
 
 /// Whichever key or page would end a job of more than 5 s, it is ended only after a question.
