@@ -195,6 +195,9 @@ pub fn answer(report: &LimitReport) -> String {
         }
         Limit::Found { velocity_m_s, .. } if own_m_s < velocity_m_s => Some(Outcome::Arrested),
         Limit::Found { .. } | Limit::Always => Some(Outcome::Perforated),
+        Limit::Between { undecided_m_s, .. } if own_m_s < undecided_m_s => Some(Outcome::Arrested),
+        Limit::Between { through_m_s, .. } if own_m_s >= through_m_s => Some(Outcome::Perforated),
+        Limit::Between { .. } => None,
         Limit::Never => Some(Outcome::Arrested),
         Limit::NotModelled | Limit::Unknown => None,
     };
@@ -236,7 +239,11 @@ pub fn shots<'c>(name: &'c str, report: &'c LimitReport) -> Table<'c, &'c Shot> 
 pub fn json(name: &str, report: &LimitReport) -> Value {
     let (basis, stopped) = match report.limit {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
-        Limit::Never | Limit::Always | Limit::NotModelled | Limit::Unknown => (None, None),
+        Limit::Between { .. }
+        | Limit::Never
+        | Limit::Always
+        | Limit::NotModelled
+        | Limit::Unknown => (None, None),
     };
     let at_limit = |name| find(name)?.value(report.at_limit.as_ref()?);
     let closures = report.closures.map(|closures| {
@@ -358,7 +365,11 @@ pub fn answers(page: &mut Page, report: &LimitReport) {
             let text = format!("{}, {}", velocity(velocity_m_s, 6), basis.words());
             page.fact(label, LABEL, text);
         }
-        Limit::Never | Limit::Always | Limit::NotModelled | Limit::Unknown => {
+        Limit::Between { .. }
+        | Limit::Never
+        | Limit::Always
+        | Limit::NotModelled
+        | Limit::Unknown => {
             page.line(report.limit.absence().unwrap_or_default());
         }
     }

@@ -11,6 +11,7 @@ use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::fixed_significant;
 use cmra_engine::model::variables::{self, VariableError};
+use cmra_engine::numerics::smaller;
 use residual_law::ResidualLaw;
 use search::{BESIDE, ShotRunner, ShotWork};
 
@@ -61,6 +62,13 @@ pub enum Limit {
         /// Velocity of a slower shot whose run ends undecided, m/s; `None` if all slower shots are decided.
         undecided_at_m_s: Option<f64>,
     },
+    /// Unknown limit within a range of shots whose runs end undecided.
+    Between {
+        /// Velocity of the slowest shot found undecided, m/s.
+        undecided_m_s: f64,
+        /// Velocity of the slowest shot found to perforate, m/s.
+        through_m_s: f64,
+    },
     /// No velocity in range perforates.
     Never,
     /// Every velocity in range perforates.
@@ -79,8 +87,15 @@ impl Limit {
 
     /// Adds the velocity of a slower undecided shot, m/s.
     fn above_undecided(mut self, velocity_m_s: f64) -> Self {
-        if let Self::Found { undecided_at_m_s, .. } = &mut self {
-            undecided_at_m_s.get_or_insert(velocity_m_s);
+        match &mut self {
+            Self::Found { undecided_at_m_s, .. } => {
+                let slowest_m_s = undecided_at_m_s.get_or_insert(velocity_m_s);
+                *slowest_m_s = smaller(*slowest_m_s, velocity_m_s);
+            }
+            Self::Between { undecided_m_s, .. } => {
+                *undecided_m_s = smaller(*undecided_m_s, velocity_m_s);
+            }
+            _ => {}
         }
         self
     }
@@ -120,6 +135,11 @@ impl Limit {
         let (low, high) = RANGE_M_S;
         match self {
             Self::Found { .. } => None,
+            Self::Between { undecided_m_s, through_m_s } => Some(format!(
+                "limit not known: shots from {} m/s on end before their outcome is known, {} m/s perforates",
+                fixed_significant(undecided_m_s, 4),
+                fixed_significant(through_m_s, 4)
+            )),
             Self::Never => Some(format!(
                 "limit beyond {high} m/s: nothing from {low} to {high} m/s perforates"
             )),
@@ -184,12 +204,16 @@ pub struct LimitReport {
 impl LimitReport {
     /// Returns the velocity of a slower undecided shot, m/s.
     pub fn undecided_at_m_s(&self) -> Option<f64> {
-        if let Limit::Found { undecided_at_m_s, .. } = self.limit { undecided_at_m_s } else { None }
+        match self.limit {
+            Limit::Found { undecided_at_m_s, .. } => undecided_at_m_s,
+            Limit::Between { undecided_m_s, .. } => Some(undecided_m_s),
+            _ => None,
+        }
     }
 
-    /// Describes undecided shots below the limit.
+    /// Describes undecided shots below a known limit.
     pub fn undecided(&self) -> Option<String> {
-        let velocity_m_s = self.undecided_at_m_s()?;
+        let velocity_m_s = self.limit.velocity_m_s().and_then(|_| self.undecided_at_m_s())?;
         Some(format!(
             "a shot at {} m/s ends before its outcome is known: it is not known to perforate",
             fixed_significant(velocity_m_s, 4)

@@ -224,8 +224,7 @@ impl ShotRunner<'_, '_, '_> {
         let found = edge(through_m_s, below, WIDTH, &mut |it| self.verdict(it))?;
         Some(match found {
             (through_m_s, (undecided_m_s, ShotOutcome::Undecided)) => {
-                let limit = Limit::found(through_m_s, LimitMethod::Outcome);
-                limit.above_undecided(undecided_m_s)
+                Limit::Between { undecided_m_s, through_m_s }
             }
             (a, (b, _)) => Limit::found(0.5 * (a + b), LimitMethod::Outcome),
         })
@@ -272,7 +271,7 @@ impl ShotRunner<'_, '_, '_> {
                 let above = (1..=ABOVE).map(|i| 1.0 + (CURVE.1 - 1.0) * fraction(i).powi(2));
                 curve_below().chain(above).map(|times| times * velocity_m_s).collect()
             }
-            Limit::Never | Limit::Always => {
+            Limit::Between { .. } | Limit::Never | Limit::Always => {
                 let (low, high): (f64, f64) = RANGE_M_S;
                 let step = (high / low).powf(1.0 / ABOVE as f64);
                 (0..=ABOVE).map(|i| low * step.powf(i as f64)).collect()
