@@ -197,9 +197,8 @@ pub fn answer(report: &LimitReport) -> String {
         Limit::Found { .. } | Limit::Always => Some(Outcome::Perforated),
         Limit::Between { undecided_m_s, .. } if own_m_s < undecided_m_s => Some(Outcome::Arrested),
         Limit::Between { through_m_s, .. } if own_m_s >= through_m_s => Some(Outcome::Perforated),
-        Limit::Between { .. } => None,
         Limit::Never => Some(Outcome::Arrested),
-        Limit::NotModelled | Limit::Unknown => None,
+        Limit::Between { .. } | Limit::NotModelled | Limit::Unknown => None,
     };
     verdict::sentence(&report.scene, &report.verdict(), by_law)
 }

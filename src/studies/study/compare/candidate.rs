@@ -66,12 +66,12 @@ impl CandidateEvaluator<'_, '_> {
             return None;
         }
         let design_m_s = scene.projectile.velocity_m_s;
-        let run = self.fire(design_m_s)??;
+        let run = self.fire(design_m_s)?;
         let plate_m_s = perforation.velocity_m_s();
         let never_m_s = (perforation == Limit::Never).then_some(limit::RANGE_M_S.1);
         let top_m_s = plate_m_s.or(never_m_s);
-        let fastest = match top_m_s {
-            Some(limit_m_s) => self.fire_below(limit_m_s)?,
+        let fastest = match top_m_s.and_then(|limit_m_s| self.below(limit_m_s)) {
+            Some(velocity_m_s) => Some(self.fire(velocity_m_s)?),
             None => None,
         };
         // If the design shot perforates, the hardware is that of the fastest shot that is stopped.
@@ -96,9 +96,9 @@ impl CandidateEvaluator<'_, '_> {
     pub(super) fn entry(&mut self, candidate: Candidate) -> Option<Entry> {
         let scene = Arc::clone(&self.scene);
         let Limits { perforation, run, fastest, built, limit_m_s, failure } = self.limits()?;
-        let at_limit = match limit_m_s {
+        let at_limit = match limit_m_s.and_then(|limit_m_s| self.below(limit_m_s)) {
             Some(_) if failure.is_none() => fastest,
-            Some(limit) => self.fire_below(limit)?,
+            Some(velocity_m_s) => Some(self.fire(velocity_m_s)?),
             None => None,
         };
         if !self.context.should_continue() {
@@ -119,20 +119,27 @@ impl CandidateEvaluator<'_, '_> {
         })
     }
 
-    /// Runs a shot with its series, for the mount force; `None` if cancelled, `Some(None)` if the shot is too slow to reach the plate.
-    fn fire(&mut self, velocity_m_s: f64) -> Option<Option<Run>> {
+    fn aimed(&self, velocity_m_s: f64) -> Scene {
         let mut aimed = (*self.scene).clone();
         aimed.projectile.velocity_m_s = velocity_m_s;
-        if aimed.closing_velocity_m_s() <= 0.0 {
-            return Some(None);
-        }
-        let run =
-            simulate(&Arc::new(aimed), &Settings::SERIES, &mut self.context.observer()).ok()?;
-        (run.end != EndReason::Cancelled).then_some(Some(run))
+        aimed
     }
 
-    fn fire_below(&mut self, limit_m_s: f64) -> Option<Option<Run>> {
-        self.fire(limit_m_s * (1.0 - BESIDE_LIMIT))
+    /// Returns `true` if a shot is fast enough to reach a plate that has a velocity of its own.
+    fn reaches(&self, velocity_m_s: f64) -> bool {
+        self.aimed(velocity_m_s).closing_velocity_m_s() > 0.0
+    }
+
+    /// Runs a shot that reaches the plate, with its series for the mount force; `None` if cancelled.
+    fn fire(&mut self, velocity_m_s: f64) -> Option<Run> {
+        let aimed = Arc::new(self.aimed(velocity_m_s));
+        let run = simulate(&aimed, &Settings::SERIES, &mut self.context.observer()).ok()?;
+        (run.end != EndReason::Cancelled).then_some(run)
+    }
+
+    /// Returns a velocity just below a limit, m/s; `None` if it does not reach the plate.
+    fn below(&self, limit_m_s: f64) -> Option<f64> {
+        Some(limit_m_s * (1.0 - BESIDE_LIMIT)).filter(|it| self.reaches(*it))
     }
 
     /// Finds the velocity above which the hardware fails before the plate is perforated, m/s, and the part that fails; `None` if cancelled.
@@ -148,8 +155,12 @@ impl CandidateEvaluator<'_, '_> {
                 return Some((Some(fails_m_s), failure));
             }
             let between_m_s = 0.5 * (holds_m_s + fails_m_s);
-            let run = self.fire(between_m_s)?;
-            match run.and_then(|run| built.failure(&scene, &demand(&run))) {
+            let found = if self.reaches(between_m_s) {
+                built.failure(&scene, &demand(&self.fire(between_m_s)?))
+            } else {
+                None
+            };
+            match found {
                 None => holds_m_s = between_m_s,
                 Some(found) => (fails_m_s, failure) = (between_m_s, found),
             }
