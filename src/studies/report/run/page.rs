@@ -186,6 +186,9 @@ pub fn results(run: &Run) -> Vec<Labelled> {
     } else {
         "not reached within the run"
     };
+    // A plate that nothing stops has no greatest displacement but that at a horizon.
+    let words = if nothing_stops_it { " at the horizon, moving on" } else { "" };
+    let displacement = displacement.map(|it| it + words);
     let displacement = displacement.or_else(|| (!is_known).then(|| none.to_owned()));
     let push = if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
         Some("unbounded at the rigid stop".to_owned())
@@ -460,6 +463,17 @@ mod tests {
         ] {
             assert!(energy.contains(row), "{energy}");
         }
+    }
+
+    #[test]
+    fn a_plate_that_nothing_stops_has_no_greatest_displacement_but_at_a_horizon() {
+        let line = |pairs: &str| {
+            let lines = results(&run_of(pairs));
+            lines.into_iter().find(|line| line.0.contains("max plate displacement")).unwrap().1
+        };
+        assert!(line("k=0").starts_with("none"));
+        assert!(line("k=0 horizon=2ms").ends_with("mm at the horizon, moving on"));
+        assert!(line("k=1e5 horizon=2ms").ends_with("mm"));
     }
 
     #[test]
