@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::model::plug::Plug;
 use crate::model::run::{Outcome, Run, RunWarning, StackRun};
 use crate::model::scene::{Closure, Layer, Mount, Nose, PlateSize, Scene, Stack};
-use crate::model::variables::VariableError;
+use crate::model::variables::error::VariableError;
 
 /// Runs the plates behind the scene's own plate, whose run is `first`, one after the other; `None` if the scene is not a stack. Adds
 /// warnings about the stack to `first`.

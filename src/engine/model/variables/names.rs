@@ -1,6 +1,6 @@
 //! Names of variables: lookup, setting by name, long names in user notation, and hints for unknown names.
 
-use super::VariableError;
+use super::error::VariableError;
 use super::table::{VARIABLES, Variable};
 use crate::model::scene::Scene;
 

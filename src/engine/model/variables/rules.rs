@@ -1,6 +1,6 @@
 //! Rules between the values of a scene, and requirements of studies.
 
-use super::VariableError;
+use super::error::VariableError;
 use super::table::VARIABLES;
 use crate::model::plug::{Metal, Plug};
 use crate::model::run::plate_name;
