@@ -18,8 +18,20 @@ const EXPONENTS: [(f64, f64); 6] = [
 const STIFFNESS: f64 = 2e5;
 const WATCHED_S: f64 = 0.1;
 
+/// Integral from 0 to 1 of ds/(1 + 2 e (1 - s^(n+1)))^(1/2), by Simpson's rule with s = y^4.
+fn way(part: f64, n: f64) -> f64 {
+    let count = 400;
+    let of = |i: i32| {
+        let y = f64::from(i) / f64::from(count);
+        let weight = if i == 0 || i == count { 1.0 } else { f64::from(2 + 2 * (i % 2)) };
+        let square = 1.0 + 2.0 * part * (1.0 - y.powf(4.0 * (n + 1.0)));
+        weight * 4.0 * y.powi(3) / square.sqrt()
+    };
+    (0..=count).map(of).sum::<f64>() / f64::from(3 * count)
+}
+
 /// Times at which joined bodies of a mass on a spring k x^n come through zero, and their speed then: from the row before, where the spring has
-/// a small part e of twice the kinetic energy, it takes x/w (1 - e (n + 1)/(n + 2)).
+/// the part e of twice the kinetic energy, it takes x/w times the integral [`way`].
 fn passages(run: &Run, n: f64, mass: f64) -> Vec<(f64, f64)> {
     let joined: Vec<_> = run.series.iter().filter(|row| row.mode == ContactMode::Fused).collect();
     let at_zero = joined.windows(2).filter(|pair| {
@@ -33,7 +45,7 @@ fn passages(run: &Run, n: f64, mass: f64) -> Vec<(f64, f64)> {
         let part = stored / twice_kinetic;
         let way_s = -plate_displacement_m / plate_velocity_m_s;
         let speed = plate_velocity_m_s.abs() * (1.0 + 2.0 * part).sqrt();
-        (t_s + way_s * (1.0 - part * (n + 1.0) / (n + 2.0)), speed)
+        (t_s + way_s * way(part, n), speed)
     };
     at_zero.map(passage).collect()
 }
@@ -63,18 +75,20 @@ fn undamped_plates_swing_in_the_time_of_the_closed_form() {
     }
 }
 
-/// Some thirty steps lead up to a zero that is singular, each half of the way, and as many away from it.
+/// One passage leads across the zero of a spring; some twenty steps lead up to that of a damper, each half of the way, and as many away.
 #[test]
 fn a_swing_takes_few_steps() {
-    for pairs in ["n=0.3 b=0", "n=0.5 m=0.5 b=20", "n=1 m=0.3 b=20", "n=2.5 m=1.5 b=0.5"] {
+    for (pairs, most) in [
+        ("n=0.3 b=0", 15),
+        ("n=0.5 m=0.5 b=20", 70),
+        ("n=1 m=0.3 b=20", 90),
+        ("n=2.5 m=1.5 b=0.5", 60),
+    ] {
         let found = run(scene(&format!("{pairs} k=1e6 d=0.002 run.horizon_s=0.05")));
         let turns = found.cost.turns;
         assert!(turns >= 6, "{pairs}: {turns} turns");
-        assert!(
-            found.cost.steps < 130 * turns,
-            "{pairs}: {} steps, {turns} turns",
-            found.cost.steps
-        );
+        let steps = found.cost.steps;
+        assert!(steps < most * turns, "{pairs}: {steps} steps, {turns} turns");
         assert!(found.ledger.residual().abs() < 1e-10, "{pairs}: {:e}", found.ledger.residual());
     }
 }
@@ -96,7 +110,7 @@ fn an_undecided_oscillation_ends_as_moving_unless_a_horizon_is_set() {
 #[test]
 fn a_plate_that_decays_in_ever_faster_oscillations_is_decided_before_its_horizon() {
     let found = run(scene(
-        "n=0.5 k=4.88e5 b=246 d=0.00944 gamma=0.313 v_i=226 interface=plastic g=0.12 h=0.05 run.horizon_s=1",
+        "n=0.3 k=4.88e5 b=246 d=0.00944 gamma=0.313 v_i=226 interface=plastic g=0.12 h=0.05 run.horizon_s=1",
     ));
     assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::StepBudget));
     let told = |it: &RunWarning| matches!(it, RunWarning::HorizonNotReached { .. });

@@ -375,6 +375,16 @@ impl<const S: usize> RadauIia<S> {
         Self { nodes, a, square, modes, gauss }
     }
 
+    /// Returns the nodes in (0, 1]; the last is 1.
+    pub(crate) fn nodes(&self) -> &[f64; S] {
+        &self.nodes
+    }
+
+    /// Returns the integrals from 0 to each node, from values at the nodes.
+    pub(crate) fn integrals(&self, values: &[f64; S]) -> [f64; S] {
+        times(&self.a, values)
+    }
+
     /// Returns the method with a relative tolerance of the local error.
     pub(crate) fn to(&self, tolerance: f64) -> Collocation<'_, S> {
         Collocation { member: self, tolerance, solved: SOLVED }

@@ -73,8 +73,8 @@ pub(super) fn event_function(equations: &Equations<'_>, event: Event, state: &St
         Event::StopReached => -equations.beyond_stop_m(state.x_m),
         Event::StopSlack => equations.stop_n(state.x_m, state.w_m_s),
         Event::StopRelease => equations.push_on_stop_n(state),
-        // The loop checks these events between steps.
-        Event::ZeroPassed | Event::SpringHolds => 1.0,
+        // The loop checks this event between steps.
+        Event::SpringHolds => 1.0,
         Event::Yields => equations.lock_margin_n(state),
     }
 }

@@ -2,7 +2,9 @@
 
 use std::array;
 
+use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
+use crate::model::impact::modes::Contact;
 use crate::model::impact::state::State;
 use crate::numerics::smaller;
 
@@ -38,5 +40,18 @@ impl Loads {
             }
             _ => [self.mount_n; 2],
         }
+    }
+}
+
+impl Equations<'_> {
+    /// Returns the limit loads of the fused interface, relative to that in compression.
+    pub(super) fn limit_load_ratios(&self) -> [f64; 2] {
+        [1.0, self.setup.interface.grip]
+    }
+
+    /// Returns the limit load of the fused interface, N; `None` if the bodies are not fused.
+    pub(super) fn joint_n(&self, state: &State) -> Option<f64> {
+        let is_joined = self.mode.contact == Contact::Fused && self.setup.law == ContactLaw::Flow;
+        (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
     }
 }

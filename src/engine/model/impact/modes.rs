@@ -81,8 +81,6 @@ pub(super) enum Event {
     StopSlack,
     /// End of the force on the rigid stop.
     StopRelease,
-    /// Passage through a singular zero of the spring.
-    ZeroPassed,
     /// Locking of the plate by a singular spring.
     SpringHolds,
     /// Unlocking of the plate: the displacement of the spring is no longer negligible.

@@ -19,8 +19,8 @@ use crate::numerics::smaller;
 
 /// Displacement at which a plate may lock again, relative to that at which it unlocks; the hysteresis avoids an immediate unlock.
 const RELOCK_FRACTION: f64 = 0.5;
-/// Step size towards a singular zero, relative to the time until the plate reaches it. The step then ends at about its own length from the
-/// zero, where polynomials are accurate.
+/// Step size towards the singular zero of the damper, relative to the time until the plate reaches it. The step then ends at about its own
+/// length from the zero, where polynomials are accurate.
 const SINGULARITY_STEP_FRACTION: f64 = 0.55;
 
 impl ImpactParameters {
@@ -270,7 +270,7 @@ impl Equations<'_> {
     /// remainder is negligible.
     pub(super) fn approach_s(&self, state: &State) -> f64 {
         let ImpactParameters { damper, creep_m_s, reference, .. } = *self.setup;
-        let mut least_s = self.until_zero_s(state).unwrap_or(f64::INFINITY);
+        let mut least_s = self.towards_zero_s(state).unwrap_or(f64::INFINITY);
         if !damper.is_smooth_at_zero() && state.w_m_s.abs() > creep_m_s {
             let (w_m_s, acceleration) = (state.w_m_s, self.accelerations(state).1);
             let way_s = -w_m_s / acceleration;
@@ -279,10 +279,10 @@ impl Equations<'_> {
             // If the forces balance, only the error of the acceleration remains.
             let is_resolved = acceleration.abs() > self.acceleration_error_m_s2(state);
             if way_s > 0.0 && counts && is_resolved {
-                least_s = smaller(least_s, way_s);
+                least_s = smaller(least_s, SINGULARITY_STEP_FRACTION * way_s);
             }
         }
-        if Rule::Approach.applies() { SINGULARITY_STEP_FRACTION * least_s } else { f64::INFINITY }
+        if Rule::Approach.applies() { least_s } else { f64::INFINITY }
     }
 }
 

@@ -13,6 +13,7 @@ use crate::model::impact::parameters::{ImpactParameters, Masses};
 use crate::model::impact::resolution::RESOLUTION;
 use crate::model::impact::results::sample;
 use crate::model::impact::state::State;
+use crate::model::impact::zero_passage::ZeroPassage;
 use crate::model::run::{
     Arrest, Cost, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Parting, Sample,
 };
@@ -103,11 +104,6 @@ impl Recorder {
         self.add_work(equations, path);
         self.oscillation.step(equations, path);
         self.note_displacements(equations, path);
-        if equations.setup.mass.turning_kg > 0.0 {
-            let known_m_s = self.fastest_m_s;
-            let greatest_m_s = path.greatest(known_m_s, |state| state.w_m_s.abs());
-            self.fastest_m_s = larger(greatest_m_s, known_m_s);
-        }
         self.note_forces(equations, path);
         self.draw(equations, path);
     }
@@ -130,6 +126,31 @@ impl Recorder {
             let at = |part: f64| if by_time { swing.at_time(part) } else { swing.at(part) };
             self.draw(equations, &DenseOutput::new(&at));
         }
+    }
+
+    /// Records a passage through the zero of the spring.
+    pub(super) fn passage(&mut self, equations: &Equations<'_>, passage: &ZeroPassage) {
+        self.cost.steps += 1;
+        let [hole_j, damper_j, weight_j] = equations.passage_works_j(passage);
+        self.work.weight_j += weight_j;
+        self.work.damper_j += damper_j;
+        *self.in_hole_j(equations.setup) += hole_j;
+        self.note_mount(equations, &passage.to);
+        self.reach(equations, &passage.to);
+        // Where only the spring changes, its force is greatest at an end.
+        let is_simple = equations.is_undamped()
+            && equations.setup.mass.turning_kg == 0.0
+            && !equations.is_loading()
+            && equations.mode.contact != Contact::Fused;
+        if is_simple && !self.keep_series {
+            return;
+        }
+        let by_time = self.every_s.is_some();
+        let state = if by_time { Equations::passes_at_time } else { Equations::passes };
+        let at = |part: f64| state(equations, passage, part);
+        let path = DenseOutput::new(&at);
+        self.note_forces(equations, &path);
+        self.draw(equations, &path);
     }
 
     /// Notes the displacements on a step. A free plate turns at an event; one that a spring holds is where the forces balance, and farthest
@@ -179,8 +200,13 @@ impl Recorder {
         }
     }
 
-    /// Records the peak forces of contact, mount and interface on a step.
+    /// Records the peak forces of contact, mount and interface on a step, and the maximum speed of a plate with a geared inertia.
     fn note_forces(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
+        if equations.setup.mass.turning_kg > 0.0 {
+            let known_m_s = self.fastest_m_s;
+            let greatest_m_s = path.greatest(known_m_s, |state| state.w_m_s.abs());
+            self.fastest_m_s = larger(greatest_m_s, known_m_s);
+        }
         // Friction does not count as a peak force.
         let flows = equations.setup.law == ContactLaw::Flow;
         if equations.is_loading() || (!flows && equations.is_touching()) {
@@ -314,7 +340,6 @@ impl Recorder {
         match event {
             modes::Event::StopReached => self.work.stop_j += lost_j,
             modes::Event::HistoryEnd => self.work.penetration_j += lost_j,
-            modes::Event::ZeroPassed => self.pass_zero(before, [from, to]),
             _ if picks_up => self.work.pick_up_j += lost_j,
             _ => {}
         }
@@ -333,18 +358,9 @@ impl Recorder {
         } else if let Some(row) = self.series.last_mut()
             && self.keep_series
             && self.every_s.is_none()
-            && event != modes::Event::ZeroPassed
         {
             *row = sample(after, to);
         }
-    }
-
-    /// Records the work of a passage through the zero of the spring.
-    fn pass_zero(&mut self, equations: &Equations<'_>, ends: [&State; 2]) {
-        let [hole_j, damper_j, weight_j] = equations.passage_works_j(ends);
-        self.work.weight_j += weight_j;
-        self.work.damper_j += damper_j;
-        *self.in_hole_j(equations.setup) += hole_j;
     }
 
     /// Records first arrest, exit and separation at an event, and marks it.
@@ -443,17 +459,6 @@ impl Recorder {
 }
 
 impl Equations<'_> {
-    /// Returns the limit loads of the fused interface, relative to that in compression.
-    pub(super) fn limit_load_ratios(&self) -> [f64; 2] {
-        [1.0, self.setup.interface.grip]
-    }
-
-    /// Returns the limit load of the fused interface, N; `None` if the bodies are not fused.
-    pub(super) fn joint_n(&self, state: &State) -> Option<f64> {
-        let is_joined = self.mode.contact == Contact::Fused && self.setup.law == ContactLaw::Flow;
-        (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
-    }
-
     /// Returns the kinetic energy of both bodies, J.
     pub(super) fn kinetic_j(&self, state: &State) -> f64 {
         let Masses { projectile_kg, plate_kg, .. } = self.setup.mass;

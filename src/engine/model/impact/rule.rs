@@ -149,11 +149,7 @@ mod tests {
             "n=2 m=1.5217 k=548.66 b=327.93 d=0.39043 gamma=0.70949 v_i=144.77 h=24.599mm S_y=13.612MPa C_d=0.28053 interface=plastic",
             Difference::Displacement(1e3),
         ),
-        (
-            Rule::ZeroPassed,
-            "n=0.20018 m=1.0432 k=3.2808e7 b=7.7685 gamma=20.499 v_i=28.988 h=83.131mm S_y=93.834MPa C_d=0 tol=1.3482e-7 interface=plastic g=0",
-            Difference::End([EndReason::Decided, EndReason::StepUnderflow]),
-        ),
+        (Rule::ZeroPassed, "gamma=2 k=5e5 n=0.5 interface=plastic", Difference::Work(1.5)),
         (Rule::BouncesToRest, "k=0 b=1.36 gamma=0.747 x_stop=13.7um e=0.9", Difference::Work(2.0)),
         (
             Rule::Dips,

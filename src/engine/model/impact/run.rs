@@ -19,6 +19,7 @@ use crate::model::impact::results::{self, ImpactRun};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::model::impact::transitions;
+use crate::model::impact::zero_passage::ZeroPassage;
 use crate::model::run::{Cost, EndReason, Observer, Run, RunSnapshot, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::event_location::{CELLS, EventSearch, first_crossing};
@@ -155,11 +156,25 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             return None;
         }
         let ImpactRun { ref state, horizon_s, .. } = self.course;
-        let Some(swing) = self.course.equations().fused_swing(state, horizon_s) else {
+        let equations = self.course.equations();
+        if let Some(swing) = equations.fused_swing(state, horizon_s) {
+            self.advance_by_swing(&swing);
+        } else if let Some(passage) = equations.zero_passage(state, horizon_s) {
+            self.advance_by_passage(&passage);
+        } else {
             return self.advance();
-        };
-        self.advance_by_swing(&swing);
+        }
         None
+    }
+
+    /// Advances beyond the zero of the spring.
+    fn advance_by_passage(&mut self, passage: &ZeroPassage) {
+        let ImpactRun { setup, ref mut mode, ref mut state, ref mut record, .. } = self.course;
+        record.passage(&Equations { setup, mode }, passage);
+        (*state, self.last, self.previous) = (passage.to, None, None);
+        mode.stretch = mode.spring.stretch(mode.origin_m + state.x_m);
+        // Until as far again from the zero.
+        self.h_s = (mode.origin_m + state.x_m) / state.w_m_s;
     }
 
     /// Advances to the end of a swing of fused bodies.
@@ -217,9 +232,6 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         let equations = self.course.equations();
         if equations.locks_again(&self.course.state, self.course.record.farthest_m) {
             return Some(Event::SpringHolds);
-        }
-        if equations.passed_zero(&self.course.state).is_some() {
-            return Some(Event::ZeroPassed);
         }
         let is_behind =
             |event: &Event| event_function(&equations, *event, &self.course.state) < 0.0;

@@ -83,12 +83,6 @@ pub(super) fn after(
             state.x_m = setup.stop.position_m - mode.origin_m;
             release(setup, &mut next, state);
         }
-        Event::ZeroPassed => {
-            if let Some(passed) = (Equations { setup, mode }).passed_zero(state) {
-                *state = passed;
-                next.stretch = mode.spring.stretch(mode.origin_m + state.x_m);
-            }
-        }
         Event::SpringHolds => {
             (next.hold, next.held_m) =
                 (PlateConstraint::Spring, setup.relock_displacement_m(state.q_m));
