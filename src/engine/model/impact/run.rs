@@ -44,7 +44,7 @@ struct IntegrationLoop<'a, M, const S: usize> {
     stepper: &'a M,
     /// Event at the present state, until a step has left it.
     last: Option<Event>,
-    /// Size and acceleration of the previous step, if it is in the same mode.
+    /// Size and acceleration of the previous step, if no force has jumped since.
     previous: Option<(f64, [[f64; S]; 2])>,
     /// Size of the next step, s.
     h_s: f64,
@@ -328,9 +328,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                 self.course.state = law.state(h_s, &step.end);
                 self.course.record.reach(equations, &self.course.state);
                 self.last = None;
-                let mut acceleration = [[0.0; S]; 2];
-                acceleration[..D].copy_from_slice(&step.acceleration);
-                self.previous = Some((h_s, acceleration));
+                self.remember(&step);
                 self.h_s = next_s;
             }
             EventSearch::Unresolved(which) if h_s < no_time_s => {
@@ -343,8 +341,14 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
             }
             EventSearch::Fall(which, theta) => {
                 match self.step_to_event(law, &events, (which, theta * h_s), &step) {
-                    Ok(state) => {
+                    Ok((state, landing)) => {
                         self.apply_transition(events[which], state);
+                        // A plate that reverses has the same forces before and after, unless its damper jumps there.
+                        if events[which] == Event::SpeedZero
+                            && self.course.setup.damper.is_smooth_at_zero()
+                        {
+                            self.remember(&landing);
+                        }
                         // Fused or separate bodies have longer time scales than bodies in contact.
                         let is_touching = self.course.equations().is_touching();
                         let most_s =
@@ -359,6 +363,13 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         None
     }
 
+    /// Keeps the acceleration of a step, from which that of the next is extrapolated.
+    fn remember<const D: usize>(&mut self, step: &Step<D, S>) {
+        let mut acceleration = [[0.0; S]; 2];
+        acceleration[..D].copy_from_slice(&step.acceleration);
+        self.previous = Some((step.h, acceleration));
+    }
+
     /// Repeats a step so that it ends at an event; `near` is the step that contains the event. Returns the state, or the step size to try
     /// if that fails or another event precedes it.
     fn step_to_event<const D: usize>(
@@ -367,7 +378,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         events: &[Event],
         (which, about_s): (usize, f64),
         near: &Step<D, S>,
-    ) -> Result<State, f64> {
+    ) -> Result<(State, Step<D, S>), f64> {
         let ReducedSystem { equations, start } = law;
         let event = events[which];
         let mut h_s = about_s;
@@ -396,7 +407,7 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                 return Err(0.5 * h_s);
             }
             self.course.record.step(equations, &DenseOutput::new(&|fraction| at(fraction * theta)));
-            return Ok(state);
+            return Ok((state, step));
         }
         Err(0.5 * h_s)
     }
