@@ -41,8 +41,6 @@ pub(super) enum Rule {
     BouncesToRest,
     /// Look for an event function that is below zero only between two samples of a step.
     Dips,
-    /// Tolerance for the order of two simultaneous events, which rounding can swap.
-    SimultaneousEvents,
     /// Suppression of an event that reverses the event at the same state.
     Undone,
 }
@@ -156,13 +154,6 @@ mod tests {
             "n=2.17881 m=0.759558 k=4.79807e5 gamma=8.75375e-4 v_i=0.246327 h=1.58546mm S_y=1.67879e5 C_d=0.356366 interface=plastic \
              g=0.0594629",
             Difference::Displacement(100.0),
-        ),
-        // Without a grip the pull starts at the arrest, where the load is zero.
-        (
-            Rule::SimultaneousEvents,
-            "n=0.128065 m=2.05717 k=1065.77 b=0.0609973 gamma=68.3508 v_i=2.76962 h=0.700546 theta=72.3947deg S_y=1.38529e6 \
-             C_d=0.528579 interface=plastic g=0",
-            Difference::End([EndReason::Oscillates, EndReason::StepUnderflow]),
         ),
         (
             Rule::Undone,

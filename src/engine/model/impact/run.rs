@@ -173,8 +173,12 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
         record.passage(&Equations { setup, mode }, passage);
         (*state, self.last, self.previous) = (passage.to, None, None);
         mode.stretch = mode.spring.stretch(mode.origin_m + state.x_m);
-        // Until as far again from the zero.
-        self.h_s = (mode.origin_m + state.x_m) / state.w_m_s;
+        if let Some(event) = passage.event {
+            self.apply_transition(event, passage.to);
+        } else {
+            // Until as far again from the zero.
+            self.h_s = (mode.origin_m + state.x_m) / state.w_m_s;
+        }
     }
 
     /// Advances to the end of a swing of fused bodies.
@@ -400,8 +404,8 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
                     event_function(equations, *other, start),
                     event_function(equations, *other, &state),
                 );
-                let tolerance = if Rule::SimultaneousEvents.applies() { RESOLUTION } else { 0.0 };
-                before > 0.0 && now < -tolerance * before
+                // Rounding can swap two simultaneous events.
+                before > 0.0 && now < -RESOLUTION * before
             });
             if comes_first {
                 return Err(0.5 * h_s);

@@ -17,6 +17,7 @@ use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::model::power_law::PowerLaw;
 use crate::numerics::collocation::ELEVEN;
+use crate::numerics::root::bracketed_root;
 use crate::numerics::{larger, smaller};
 
 /// Greatest distance from the zero, relative to that at which the spring has the whole energy, as a variable of integration: in the run and
@@ -39,7 +40,9 @@ pub(super) struct ZeroPassage {
     /// State at its end.
     pub(super) to: State,
     /// Work of the damper, J.
-    pub(super) damper_j: f64,
+    damper_j: f64,
+    /// Event at its end; `None` beyond the zero.
+    pub(super) event: Option<Event>,
 }
 
 /// States at the nodes on the way to or from the zero, and the work of the damper, J.
@@ -82,8 +85,8 @@ impl Equations<'_> {
         }
     }
 
-    /// Returns the passage through the zero of the spring, up to the horizon; `None` if the plate is too far from it, or another event can
-    /// precede.
+    /// Returns the passage through the zero of the spring, or to an event before it; `None` if the plate is too far from it, for ends close
+    /// beyond it, and at the horizon.
     pub(super) fn zero_passage(&self, state: &State, horizon_s: f64) -> Option<ZeroPassage> {
         let Equations { setup, mode } = self;
         let law = setup.spring.power().filter(|law| !law.is_smooth_at_zero())?;
@@ -101,8 +104,9 @@ impl Equations<'_> {
         }
         let (inward, inward_j) = self.way(state, 0.0)?;
         let zero = inward[NODES - 1];
-        if self.first_event(state, &inward).is_some() {
-            return None;
+        if let Some((node, event)) = self.first_event(state, &inward) {
+            let before = if node > 0 { inward[node - 1] } else { *state };
+            return self.up_to_event(state, [&before, &inward[node]], event);
         }
         let mut to_m = reach_m.copysign(w_m_s);
         for _ in 0..ROUNDS_MAX {
@@ -112,20 +116,34 @@ impl Equations<'_> {
             };
             match self.first_event(&zero, &outward) {
                 None => {
-                    let to = outward[NODES - 1];
-                    let damper_j = inward_j + outward_j;
-                    return (to.t_s <= horizon_s).then_some(ZeroPassage {
-                        from: *state,
-                        zero,
-                        to,
-                        damper_j,
-                    });
+                    let (to, damper_j) = (outward[NODES - 1], inward_j + outward_j);
+                    let passage = ZeroPassage { from: *state, zero, to, damper_j, event: None };
+                    return (to.t_s <= horizon_s).then_some(passage);
                 }
-                Some(0) => return None,
-                Some(node) => to_m = self.displacement_m(outward[node - 1].x_m),
+                Some((0, _)) => return None,
+                Some((node, _)) => to_m = self.displacement_m(outward[node - 1].x_m),
             }
         }
         None
+    }
+
+    /// Returns the way of fused bodies to an event that precedes the zero, between two states; `None` unless it is between them. Without a grip
+    /// they part where the damper balances the spring, too close to the zero for a step to end there.
+    fn up_to_event(&self, state: &State, ends: [&State; 2], event: Event) -> Option<ZeroPassage> {
+        let gap = |state: &State| event_function(self, event, state);
+        let [before, after] = ends;
+        let is_fused = self.mode.contact == Contact::Fused;
+        if !is_fused || gap(before) <= 0.0 || gap(after) > 0.0 {
+            return None;
+        }
+        let from_m = self.displacement_m(state.x_m);
+        // Of the way there, for a root relative to it.
+        let there = |part: f64| self.way(state, (1.0 - part) * from_m);
+        let part = |at: &State| 1.0 - self.displacement_m(at.x_m) / from_m;
+        let missing = |part: f64| there(part).map_or(0.0, |(states, _)| gap(&states[NODES - 1]));
+        let (states, damper_j) = there(bracketed_root(part(before), part(after), missing))?;
+        let to = states[NODES - 1];
+        Some(ZeroPassage { from: *state, zero: to, to, damper_j, event: Some(event) })
     }
 
     /// Returns the accelerations of projectile and plate by all forces but the spring's.
@@ -191,22 +209,24 @@ impl Equations<'_> {
         None
     }
 
-    /// Returns the first node at which an event function is not positive, or about which it may not be.
-    fn first_event(&self, start: &State, states: &[State; NODES]) -> Option<usize> {
+    /// Returns the first node at which an event function is not positive, or about which it may not be, and the event.
+    fn first_event(&self, start: &State, states: &[State; NODES]) -> Option<(usize, Event)> {
         let is_other = |event: &Event| !matches!(event, Event::KnotAhead | Event::KnotBehind);
         let of_event = |event: Event| {
             let gap = |state: &State| event_function(self, event, state);
             let gaps = states.each_ref().map(gap);
-            (0..NODES).find(|&node| {
+            let first = (0..NODES).find(|&node| {
                 let (here, after) = (gaps[node], gaps.get(node + 1).copied());
                 let before = if node > 0 { gaps[node - 1] } else { gap(start) };
                 // The parabola through three samples is at most an eighth of its bend below the least.
                 let bend = after.map_or(0.0, |after| before - 2.0 * here + after);
                 let is_least = here < before && after.is_some_and(|after| here < after);
                 here <= 0.0 || is_least && here < 0.5 * bend
-            })
+            });
+            first.map(|node| (node, event))
         };
-        possible_events(self.setup, self.mode).filter(is_other).filter_map(of_event).min()
+        let events = possible_events(self.setup, self.mode).filter(is_other);
+        events.filter_map(of_event).min_by_key(|(node, _)| *node)
     }
 
     /// Returns the works in the hole, of the damper and of the weight on a passage, J. The first follows from the balance of energy.
