@@ -15,7 +15,7 @@ use crate::model::impact::parameters::{ImpactParameters, Masses};
 use crate::model::impact::resolution::{FIRST_ORDER, NEGLIGIBLE, ROUNDING, TOLERANCE_RATIO};
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
-use crate::numerics::smaller;
+use crate::numerics::{larger, smaller};
 
 /// Displacement at which a plate may lock again, relative to that at which it unlocks; the hysteresis avoids an immediate unlock.
 const RELOCK_FRACTION: f64 = 0.5;
@@ -148,7 +148,18 @@ impl Equations<'_> {
     /// that is a small multiple of the step tolerance and does not exceed the maximum displacement so far.
     pub(super) fn locks_again(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
-        let held_m = RELOCK_FRACTION * self.setup.relock_displacement_m(state.q_m);
+        let unlocks_m = self.setup.relock_displacement_m(state.q_m);
+        // A plate that never came to where it would unlock needs no hysteresis.
+        let held_m = larger(RELOCK_FRACTION * unlocks_m, smaller(unlocks_m, farthest_m));
+        // The second computation locks where the difference of both is not to show it: where the displacement is negligible, or after a
+        // greater one, where its own lock would count as an error of the first.
+        let may_lock = match self.setup.numerics.method {
+            IntegrationMethod::Second(first) => {
+                RELOCK_FRACTION * unlocks_m * first / self.setup.numerics.tolerance < farthest_m
+                    || farthest_m < NEGLIGIBLE * self.setup.reference.length_m
+            }
+            _ => true,
+        };
         let (x_m, push_n) = (self.displacement_m(state.x_m), self.push_n(state));
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
         // Energy of spring and push: with less than at the maximum the plate does not reach it again.
@@ -158,6 +169,7 @@ impl Equations<'_> {
             && self.setup.law == ContactLaw::Flow
             && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
             && spring.is_steep_at_zero()
+            && may_lock
             && push_n < spring.force(farthest_m)
             && speed_j + well_j(x_m) < well_j(farthest_m)
             && push_n.abs() < spring.force(held_m)
