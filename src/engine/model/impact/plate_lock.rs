@@ -149,19 +149,21 @@ impl Equations<'_> {
     pub(super) fn locks_again(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
         let unlocks_m = self.setup.relock_displacement_m(state.q_m);
-        // A plate that never came to where it would unlock needs no hysteresis.
-        let held_m = larger(RELOCK_FRACTION * unlocks_m, smaller(unlocks_m, farthest_m));
+        let (x_m, push_n) = (self.displacement_m(state.x_m), self.push_n(state));
+        let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
+        // A plate that rides on its spring, and never came to where it would unlock, needs no hysteresis.
+        let rides = speed_j < FIRST_ORDER * spring.energy(x_m);
+        let least_m = RELOCK_FRACTION * unlocks_m;
+        let held_m = if rides { larger(least_m, smaller(unlocks_m, farthest_m)) } else { least_m };
         // The second computation locks where the difference of both is not to show it: where the displacement is negligible, or after a
         // greater one, where its own lock would count as an error of the first.
         let may_lock = match self.setup.numerics.method {
             IntegrationMethod::Second(first) => {
-                RELOCK_FRACTION * unlocks_m * first / self.setup.numerics.tolerance < farthest_m
+                least_m * first / self.setup.numerics.tolerance < farthest_m
                     || farthest_m < NEGLIGIBLE * self.setup.reference.length_m
             }
             _ => true,
         };
-        let (x_m, push_n) = (self.displacement_m(state.x_m), self.push_n(state));
-        let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
         // Energy of spring and push: with less than at the maximum the plate does not reach it again.
         let well_j = |x_m: f64| spring.energy(x_m) - push_n * x_m;
         Rule::Relock.applies()
