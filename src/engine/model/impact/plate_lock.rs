@@ -148,6 +148,13 @@ impl Equations<'_> {
     /// that is a small multiple of the step tolerance and does not exceed the maximum displacement so far.
     pub(super) fn locks_again(&self, state: &State, farthest_m: f64) -> bool {
         let spring = &self.setup.spring;
+        let can_lock = Rule::Relock.applies()
+            && self.mode.hold == PlateConstraint::Free
+            && self.setup.law == ContactLaw::Flow
+            && spring.is_steep_at_zero();
+        if !can_lock {
+            return false;
+        }
         let unlocks_m = self.setup.relock_displacement_m(state.q_m);
         let (x_m, push_n) = (self.displacement_m(state.x_m), self.push_n(state));
         let speed_j = 0.5 * self.moving_kg() * state.w_m_s * state.w_m_s;
@@ -166,12 +173,8 @@ impl Equations<'_> {
         };
         // Energy of spring and push: with less than at the maximum the plate does not reach it again.
         let well_j = |x_m: f64| spring.energy(x_m) - push_n * x_m;
-        Rule::Relock.applies()
-            && self.mode.hold == PlateConstraint::Free
-            && self.setup.law == ContactLaw::Flow
+        may_lock
             && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
-            && spring.is_steep_at_zero()
-            && may_lock
             && push_n < spring.force(farthest_m)
             && speed_j + well_j(x_m) < well_j(farthest_m)
             && push_n.abs() < spring.force(held_m)
