@@ -171,14 +171,14 @@ fn everywhere(app: &mut App, action: Option<Action>) -> bool {
     match action {
         Some(action @ (Action::Suspend | Action::Redraw | Action::Cancel)) => {
             let is_open = app.dialog.is_some() || app.typing.is_some();
-            if action == Action::Cancel && app.jobs.current.is_none() && is_open {
+            let closes = action == Action::Cancel && app.jobs.current.is_none() && is_open;
+            if closes {
                 (app.dialog, app.typing) = (None, None);
-                // Studies go on; without one the key counts as the first of two that quit.
-                if pages::all_jobs(app).next().is_some() {
-                    return true;
-                }
             }
-            act::act(app, action);
+            // While studies go on the key only closes; else it counts as the first of two that quit.
+            if !closes || pages::all_jobs(app).next().is_none() {
+                act::act(app, action);
+            }
         }
         _ => return false,
     }
