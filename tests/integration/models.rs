@@ -73,7 +73,7 @@ fn a_model_is_set_by_name_and_unknown_names_are_refused() {
     assert!(text.contains("set model = hydrodynamic"), "{text}");
 }
 
-/// A model without a rear face tells of no shot that it is stopped, nor of a limit.
+/// A model without a rear face reports no shot as stopped, and no limit.
 #[test]
 fn a_model_that_cannot_perforate_stops_nothing() {
     for model in ["half-sine", "initial-velocity", "lumped"] {

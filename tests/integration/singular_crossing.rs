@@ -75,7 +75,8 @@ fn undamped_plates_swing_in_the_time_of_the_closed_form() {
     }
 }
 
-/// One passage leads across the zero of a spring; some twenty steps lead up to that of a damper, each half of the way, and as many away.
+/// Counts the steps: one passage leads across the zero of a spring; some twenty lead up to that of a damper, each half of the way, and as
+/// many away.
 #[test]
 fn a_swing_takes_few_steps() {
     for (pairs, most) in [

@@ -29,7 +29,14 @@ pub(super) const WORDS: &[(&[&str], &str)] = &[
     (&["unbounded"], "peak force if a fused plate hits its rigid stop: infinite in this model"),
     (&["mount"], "maximum force of spring, damper and stop on the mount (peak_mount_force_n)"),
     (
-        &["arrest", "first arrest", "first stop", "stops first", "projectile first stops"],
+        &[
+            "arrest",
+            "first arrest",
+            "first stop",
+            "first stops",
+            "stops first",
+            "projectile first stops",
+        ],
         "first zero of the relative velocity: projectile and plate have a common velocity, and penetration stops for the first time",
     ),
     (&["common velocity"], "velocity of projectile and plate at the first arrest"),

@@ -3,9 +3,9 @@
 //! `parameters` has what a scene gives, `equations` the equations of motion. `state` is the mechanical state, `modes` the discrete ones,
 //! `transitions` leads from one to the next, `events` has the event functions of each. `reduced_system` selects the active degrees of
 //! freedom; `plate_lock` locks the plate while a stiff spring holds it. `run` is the integration loop, and `method` lists the methods;
-//! `fused_swing` goes from event to event without steps, `zero_passage` across the singular zero of a spring. `outcome` decides by energy when the run ends. `dense_output` has the states on a
-//! step, `recorder` accumulates rows, work and peak forces (`loads`), `free_oscillation` what the method damps, and `results` builds the
-//! [`Run`]. `resolution` has the tolerances that several of them share.
+//! `fused_swing` goes from event to event without steps, `zero_passage` across the singular zero of a spring. `outcome` decides by energy
+//! when the run ends. `dense_output` has the states on a step, `recorder` accumulates rows, work and peak forces (`loads`),
+//! `free_oscillation` what the method damps, and `results` builds the [`Run`]. `resolution` has the tolerances that several of them share.
 
 use std::sync::Arc;
 

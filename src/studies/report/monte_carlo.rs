@@ -99,7 +99,10 @@ pub fn table<'c>(name: &'c str, report: &'c MonteCarloReport) -> Table<'c, &'c S
     let table = Table::new(&report.summaries)
         .field("scene", move |_| name)
         .with("output", "", "", |it| it.measure.name)
-        .shown(|it, _| titles(report, it).into_iter().next())
+        .shown(|it, _| {
+            let [title, _] = titles(report, it);
+            Some(title)
+        })
         .with("nominal", "nominal", "", |it| it.nominal)
         .shown(in_unit)
         .with("count", "values", "", |it| it.sorted.len())

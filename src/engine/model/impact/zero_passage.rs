@@ -315,7 +315,7 @@ mod tests {
                 far / power * (kg / (2.0 * energy)).sqrt() * beta
             };
             let law = PowerLaw { coefficient: k, exponent: n };
-            let most = 0.58f64.powf(power * f64::from(super::power(law)));
+            let most = REACH[0].powf(power * f64::from(super::power(law)));
             for part in [0.9 * most, 1e-3 * most] {
                 let energy = 0.5 * kg * 400.0 / (1.0 - part);
                 let from_m = (part * power * energy / k).powf(1.0 / power);

@@ -115,7 +115,7 @@ fn undecided_shots_below_a_known_change_leave_the_limit_known() {
 }
 
 /// The outcome of a snapping spring against an elastic stop alternates with the velocity: no slower shot of the curve perforates, and a
-/// faster one that is stopped is told.
+/// faster one that is stopped is reported.
 #[test]
 fn the_curve_does_not_contradict_the_limit() {
     let pairs = "gamma=2.04792 d=0.648488 x_stop=0.000486347 stop_kind=elastic k_stop=2.5712e9 b_stop=1946.5 v_i=1.96421 \
