@@ -190,6 +190,9 @@ fn leave(app: &mut App, action: Action) {
         Action::Quit if all.iter().any(|(tab, job)| *tab == Tab::Search || is_long(job)) => Some(
             "a job is running: <quit> again quits without it, <back> in its tab cancels it and keeps what is finished",
         ),
+        Action::Cancel if jobs.iter().any(is_long) => Some(
+            "a job has been running for more than 5 s: <cancel> again quits without it, <back> in its tab keeps what is finished",
+        ),
         Action::Quit if app.files.session_lost && app.is_modified() => Some(
             "the session cannot be kept (see <tab-log>:Log): <quit> again quits without it, <save> or <export> save the scene or the table",
         ),

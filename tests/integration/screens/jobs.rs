@@ -277,6 +277,43 @@ fn a_long_job_is_ended_only_after_a_question() {
     assert_ne!(bench.app.jobs.current.as_ref().map(|job| job.id), Some(id));
 }
 
+/// The key that cancels asks as well. Pressed twice it quits, also then, and the session is kept.
+#[test]
+fn ctrl_c_ends_a_long_job_only_after_a_question() {
+    let quits =
+        |bench: &Bench| matches!(bench.effects[..], [.., Effect::SaveSession, Effect::Quit]);
+    let asks = |bench: &Bench, id: u64| {
+        let ended = |effect: &Effect| matches!(effect, Effect::Cancel(other) if *other == id);
+        let is_left = !bench.effects.iter().any(ended) && !quits(bench);
+        is_left && bench.message().contains("more than 5 s: Ctrl-c again quits")
+    };
+    for open in ["r", "2r", "3r", "4r", "55r", "6r"] {
+        let mut bench = Bench::ascii(120, 36);
+        bench.press(open);
+        let jobs = &bench.app.jobs;
+        let id = jobs.studies.last().or(jobs.current.as_ref()).expect(open).id;
+        bench.send(Message::LongJob(id));
+        bench.press("<C-c>");
+        assert!(asks(&bench, id), "{open}: {}", bench.message());
+        // Another key takes the question back.
+        bench.press("?<Esc><C-c>");
+        assert!(asks(&bench, id), "{open}: {}", bench.message());
+        bench.press("<C-c>");
+        assert!(quits(&bench), "{open}");
+    }
+    // In a field the key only closes; then it asks.
+    let mut bench = in_search((80, 24));
+    bench.press("r");
+    let id = bench.app.jobs.studies.last().expect("a search").id;
+    bench.send(Message::LongJob(id));
+    bench.press("<Enter>50<C-c>");
+    assert!(bench.app.field().is_none() && !quits(&bench));
+    bench.press("<C-c>");
+    assert!(asks(&bench, id), "{}", bench.message());
+    bench.press("<C-c>");
+    assert!(quits(&bench));
+}
+
 #[test]
 fn an_error_stays_with_the_page_that_was_searched() {
     let mut bench = search::open(GlyphSet::Ascii, (80, 24));
