@@ -295,6 +295,17 @@ impl Quantity {
         if self.has(Percent) { "%" } else { self.kind.unit() }
     }
 
+    /// Returns the unit on screens, without a prefix that depends on the value: `mm`.
+    pub fn shown_unit(&self) -> &'static str {
+        if self.has(Percent) { "%" } else { self.kind.shown_unit() }
+    }
+
+    /// Converts a value to the unit on screens; percentages are stored in per cent.
+    pub fn in_shown_unit(&self, value: f64) -> f64 {
+        let converted = units::in_unit(value, self.kind.shown_unit(), self.kind);
+        converted.filter(|_| !self.has(Percent)).unwrap_or(value)
+    }
+
     /// Returns the label without the unit: `max plate displacement`.
     pub fn title(&self) -> String {
         if self.title.is_empty() { self.key_words() } else { self.title.to_owned() }

@@ -29,7 +29,7 @@ use crate::tui::widgets::value_steps::Input;
 use crate::worker::studies::SearchRequest;
 use cmra_studies::study::monte_carlo::SAMPLES;
 use cmra_studies::study::quantities::{Needs, named};
-use cmra_studies::study::search::front::SAMPLES as DESIGNS;
+use cmra_studies::study::search::front::{Constraint, SAMPLES as DESIGNS};
 use cmra_studies::study::search::seek::SCAN;
 use cmra_studies::study::sweep::Axis;
 
@@ -363,7 +363,8 @@ fn first_goal(app: &App, name: &str) -> f64 {
 fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
     match row {
         Row::Bounds => {
-            let bounds = text.split(',').filter(|_| text != "none").map(str::parse);
+            let bounds = text.split(',').filter(|_| text != "none");
+            let bounds = bounds.map(Constraint::parse_in_shown_unit);
             setup.subject_to = bounds.collect::<Result<_, _>>()?;
         }
         Row::Designs => setup.designs = whole(text, &DESIGNS)?,

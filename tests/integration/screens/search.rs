@@ -19,6 +19,7 @@ use cmra_studies::study::sweep::PointOutcome;
 use cmra_studies::study::sweep::default_axes::{or_usual, thesis_axes};
 
 use cmra::tui::keymap::Tab;
+use cmra::tui::message::Message;
 use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::{Page, Row};
 use cmra::tui::theme::GlyphSet;
@@ -302,7 +303,7 @@ fn on_a_small_screen_results_or_setup_have_the_room() {
     }
     bench.keys("4<Tab>");
     assert_eq!(bench.app.pane(), search::SETUP);
-    assert!(bench.screen().contains("stroke<=1.000 m"), "{}", bench.screen());
+    assert!(bench.screen().contains("stroke<=1000 mm"), "{}", bench.screen());
     bench.keys("<Tab>");
     assert_eq!(bench.app.pane(), search::RESULTS);
 }
@@ -361,6 +362,60 @@ fn the_proposed_bounds_of_a_held_variable_can_be_typed() {
     // Half to double the 0.0295 kg of the scene.
     bench.keys("<Enter><C-u>0.01475..0.059<Enter>");
     assert_eq!(row(&bench), "m_p 0.01475..0.059");
+}
+
+/// A number alone in the constraints is in the unit of screens, which the closed row, the open field and the text name.
+#[test]
+fn a_bound_of_a_front_is_in_the_unit_that_its_field_shows() {
+    let mut bench = Bench::ascii(120, 36);
+    bench.app.pages.search.page = Page::Front;
+    bench.app.pages.search.row = Row::Bounds;
+    let bounds = |bench: &Bench| -> Vec<(&str, f64)> {
+        let each = bench.app.pages.search.setup.subject_to.iter();
+        each.map(|it| (it.measure.name, it.bound)).collect()
+    };
+    let enter = |bench: &mut Bench, text: &str| {
+        bench.press("<C-u>");
+        bench.send(Message::Paste(text.to_owned()));
+        bench.press("<Enter>");
+    };
+    bench.press("4<Enter>");
+    assert!(bench.screen().contains("stroke_m<=1000 mm"), "{}", bench.screen());
+    assert!(
+        bench.screen().contains("a number alone is in mm, ms, kN, g or SI"),
+        "{}",
+        bench.screen()
+    );
+    // 70 * 1e-3 and 0.07 are the same float; 0.07 * 1e3 is not 70.
+    for typed in ["stroke_m<=70", "stroke_m<=70 mm", "stroke_m<=0.07m", "stroke_m <= 7cm"] {
+        enter(&mut bench, typed);
+        assert_eq!(bounds(&bench), [("stroke_m", 0.07)], "{typed}");
+        assert!(bench.screen().contains("stroke<=70.00 mm"), "{}", bench.screen());
+        bench.press("<Enter>");
+        assert!(bench.screen().contains("stroke_m<=70 mm"), "{}", bench.screen());
+    }
+    // Percentages and quantities without a unit of screens of their own.
+    enter(
+        &mut bench,
+        "percent_of_baseline<=60,peak_mount_force_n<=20,limit_velocity_m_s>=300,system_mass_kg<=500",
+    );
+    let expected = [
+        ("percent_of_baseline", 60.0),
+        ("peak_mount_force_n", 2e4),
+        ("limit_velocity_m_s", 300.0),
+        ("system_mass_kg", 0.5),
+    ];
+    assert_eq!(bounds(&bench), expected);
+    bench.press("<Enter>");
+    enter(&mut bench, "stroke_m<=1 kg");
+    assert!(bench.message().contains("or no unit for mm"), "{}", bench.message());
+    // Whole at 80 columns, where the footer has no room for it.
+    let mut small = Bench::ascii(80, 24);
+    small.app.pages.search.page = Page::Front;
+    small.app.pages.search.row = Row::Bounds;
+    small.press("4<Enter>");
+    let text = small.screen().split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("a number alone in mm, ms, kN, g or SI"), "{text}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::tui::widgets::form::{FieldQuantity, Form, FormRow, quantity_meaning};
 use crate::worker::studies::SearchRequest;
 use cmra_engine::model::units;
 use cmra_engine::model::variables::{self, Group, Value, Variable};
-use cmra_studies::study::quantities::{Quantity, named};
+use cmra_studies::study::quantities::{QUANTITIES, Quantity, named};
 use cmra_studies::study::search::front::{Constraint, DEFAULT};
 use cmra_studies::study::sweep::default_axes::thesis_axes;
 use cmra_studies::study::sweep::{Axis, COUNTS, Spacing};
@@ -22,9 +22,23 @@ pub fn brief(column: &Quantity) -> String {
     at.map_or_else(|| column.heading(), |at| OBJECTIVES[at].to_owned())
 }
 
-/// Formats a constraint: `mount force<=20 kN`.
-fn short_words(bound: &Constraint) -> String {
-    format!("{}{}{}", brief(bound.measure), bound.sign(), bound.measure.show(bound.bound, 4))
+/// Formats a constraint in the unit on screens, under this name of its measure: `mount force<=20.00 kN`.
+fn constraint(bound: &Constraint, name: &str, number: impl Fn(f64) -> String) -> String {
+    let measure = bound.measure;
+    let value = number(measure.in_shown_unit(bound.bound));
+    format!("{name}{}{value} {}", bound.sign(), measure.shown_unit()).trim_end().to_owned()
+}
+
+/// Returns the units of bare numbers in constraints: those on screens that are not SI units.
+fn constraint_units() -> String {
+    let mut units: Vec<&str> = Vec::new();
+    for quantity in QUANTITIES {
+        let unit = quantity.shown_unit();
+        if unit != quantity.unit() && !units.contains(&unit) {
+            units.push(unit);
+        }
+    }
+    format!("{} or SI", units.join(", "))
 }
 
 /// Returns the variables for fronts: the important ones of Table 9.2 are on, all others that the scene uses are off.
@@ -107,18 +121,7 @@ impl App {
                 let objective = FormRow::switch(OBJECTIVES[at], setup.objectives[at]);
                 objective.means(quantity_meaning(DEFAULT[at]))
             }
-            Row::Bounds => {
-                let written = |of: &dyn Fn(&Constraint) -> String| {
-                    let each: Vec<String> = setup.subject_to.iter().map(of).collect();
-                    if each.is_empty() { "none".to_owned() } else { each.join(", ") }
-                };
-                let how = "QUANTITY<=VALUE or QUANTITY>=VALUE, separated by commas, or none";
-                let (shown, text) = (written(&short_words), written(&Constraint::to_string));
-                let unit = "the unit that QUANTITY ends in".to_owned();
-                let quantity = Some(FieldQuantity { unit, variable: None });
-                FormRow { text: Some(text.clone()), quantity, ..FormRow::choice("bounds", shown) }
-                    .means(format!("{text} ({how}: peak_mount_force_n<=20kN)"))
-            }
+            Row::Bounds => self.constraints_line(),
             Row::Feasible => FormRow::switch("feasible", setup.feasible).means(
                 "yes: only designs without a warning on the unsafe side (interface, spring, stop, face)",
             ),
@@ -131,6 +134,27 @@ impl App {
             Row::Samples => FormRow::typed("samples", setup.samples.to_string())
                 .means("number of samples; the confidence interval narrows with its square root"),
         }
+    }
+
+    /// Returns the row of the constraints, in the units of screens.
+    fn constraints_line(&self) -> FormRow {
+        let each = &self.pages.search.setup.subject_to;
+        let written = |of: &dyn Fn(&Constraint) -> String| {
+            let each: Vec<String> = each.iter().map(of).collect();
+            if each.is_empty() { "none".to_owned() } else { each.join(", ") }
+        };
+        let shown = written(&|it| {
+            constraint(it, &brief(it.measure), |value| units::fixed_significant(value, 4))
+        });
+        let text = written(&|it| {
+            constraint(it, it.measure.name, |value| significant(value, FIELD_DIGITS))
+        });
+        let unit = constraint_units();
+        let meaning = format!(
+            "{text} (QUANTITY<=VALUE or QUANTITY>=VALUE, a number alone in {unit}, separated by commas, or none: peak_mount_force_n<=20kN)"
+        );
+        let quantity = Some(FieldQuantity { unit, variable: None });
+        FormRow { text: Some(text), quantity, ..FormRow::choice("bounds", shown) }.means(meaning)
     }
 
     /// Builds the request of a page's setup.
