@@ -186,6 +186,25 @@ fn a_plate_that_nothing_stops_has_no_mass_efficiency() {
     assert_eq!(found["conclusion"], "not met: nothing stops plate and projectile");
 }
 
+/// A measured spring that cannot stop its plate fails at the end of its table, and not only where the plate is perforated. Its force of
+/// at most 100 N takes less than 2 J within 20 mm, straight lines between its points 1.25 J; two bodies of 29.5 g have m v^2 / 4.
+#[test]
+fn a_spring_that_does_not_stop_its_plate_does_not_survive() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("curve.csv");
+    std::fs::write(&file, "x_m,force_n\n0,0\n0.01,100\n0.02,50\n").unwrap();
+    let table = format!("table={}", file.display());
+    let found = json("compare", &["--set", &table, "--set", "m_spring=0.01"]);
+    assert!(found["mass_efficiency"].is_null(), "{found}");
+    let conclusion = found["conclusion"].as_str().unwrap();
+    assert!(conclusion.starts_with("not met") && conclusion.contains("the table ends"), "{found}");
+    let own = &found["candidates"]["scene"];
+    assert_eq!(own["governed_by"], "spring law");
+    let survives_m_s = own["limit_if_spring_survives_m_s"].as_f64().unwrap();
+    let at_j = |energy_j: f64| (4.0 * energy_j / 0.0295).sqrt();
+    assert!(at_j(1.25) < survives_m_s && survives_m_s < at_j(2.0), "{survives_m_s}");
+}
+
 /// Slow shots are stopped by plates thinner than the model's range: the page says so.
 #[test]
 fn a_sized_armour_thinner_than_the_models_range_is_named() {

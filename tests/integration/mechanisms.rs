@@ -3,7 +3,7 @@
 use cmra::files::read;
 use cmra_engine::model::contact_kernel::Contact;
 use cmra_engine::model::mechanism::Mechanism;
-use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::run::{Outcome, Run, RunWarning};
 use cmra_engine::model::scene::{Scene, SpringKind};
 use cmra_engine::model::variables;
 
@@ -301,6 +301,31 @@ fn an_impossible_value_is_refused_with_name_value_rule_and_cure() {
     for word in ["h_beam", "mechanism.spring.beam.height_m", "= 0 m", "greater than 0 m", "0.015"] {
         assert!(text.contains(word), "{text}");
     }
+}
+
+/// A plate that nothing turns passes the last point of its table, on either side and wherever the record of the run ends. Force falls to
+/// 0 at 40 mm and -40 mm and drives the plate on from there.
+#[test]
+fn a_plate_that_nothing_turns_is_beyond_the_end_of_its_table() {
+    let limits = |changes: &str| -> Vec<(f64, f64)> {
+        let mut own = scene(&format!("spring=table {changes}"));
+        own.mechanism.spring.table.points = [[0.0, 0.0], [0.01, 100.0], [0.02, 50.0]].into();
+        let limit = |warning: &RunWarning| match warning {
+            RunWarning::Limit(limit) => Some((limit.required_m, limit.limit_m)),
+            _ => None,
+        };
+        run(own).warnings.iter().filter_map(limit).collect()
+    };
+    for changes in ["", "b=0.1", "gamma=0.05 v_i=400", "w_0=-60"] {
+        assert_eq!(limits(changes), [(f64::INFINITY, 0.02)], "{changes}");
+    }
+    for changes in ["w_0=-60 v_i=1", "w_0=-150", "w_0=-150 x_stop=0.05"] {
+        assert_eq!(limits(changes), [(f64::NEG_INFINITY, -0.02)], "{changes}");
+    }
+    // A stop ends the way, and so does the spring, which takes at least 1.25 J within its table: 59 g at 5 m/s have 0.74 J.
+    assert_eq!(limits("x_stop=1"), [(1.0, 0.02)]);
+    assert_eq!(limits("v_i=10"), []);
+    assert_eq!(limits("mount=rigid"), []);
 }
 
 #[test]

@@ -434,10 +434,16 @@ impl Equations<'_> {
             && !in_full
             && Rule::SpringTurns.applies();
         by_spring.then(|| {
-            let back_m = mode.elastic.reach(x_m, energy_j, -1.0);
-            let is_gone = state.w_m_s < 0.0 && back_m.is_infinite();
-            if is_gone { so_far_m } else { larger(reach_m, so_far_m) }
+            if self.is_gone_backwards(state) { so_far_m } else { larger(reach_m, so_far_m) }
         })
+    }
+
+    /// Returns `true` if the plate moves backwards without end: the spring drives it, or cannot take its energy.
+    pub(super) fn is_gone_backwards(&self, state: &State) -> bool {
+        let x_m = self.displacement_m(state.x_m);
+        let escapes = || self.mode.elastic.reach(x_m, self.energy_j(state), -1.0).is_infinite();
+        let is_driven = self.drives_away(state) == Some(-1.0);
+        state.w_m_s < 0.0 && (is_driven || self.setup.damper.is_absent() && escapes())
     }
 }
 

@@ -287,6 +287,16 @@ impl ImpactRun<'_> {
         }
     }
 
+    /// Returns the largest displacement of the spring, m; infinite for a plate that moves away without end.
+    fn largest_displacement_m(&self, run: &Run) -> f64 {
+        let far_m = match self.decided.filter(|_| self.has_no_horizon()) {
+            Some((_, far_m)) if far_m.is_infinite() => far_m,
+            Some(_) if self.equations().is_gone_backwards(&self.state) => f64::NEG_INFINITY,
+            _ => run.max_plate_displacement_m.unwrap_or(self.record.farthest_m),
+        };
+        if far_m.abs() < self.setup.start.x_m.abs() { self.setup.start.x_m } else { far_m }
+    }
+
     fn warnings(&self, run: &Run) -> Vec<RunWarning> {
         let (setup, scene, loads) = (self.setup, self.scene, &self.record.loads);
         let (reason, t_s) = (run.end, self.state.t_s);
@@ -312,10 +322,9 @@ impl ImpactRun<'_> {
             resumed_s.map(|t_s| RunWarning::PenetrationResumed { t_s }),
             drifts.then_some(RunWarning::EnergyDrift { residual }),
         ];
-        let far_m = run.max_plate_displacement_m.unwrap_or(self.record.farthest_m);
-        let at_m = if far_m.abs() < setup.start.x_m.abs() { setup.start.x_m } else { far_m };
+        let far_m = self.largest_displacement_m(run);
         let limits =
-            load::exceeded(scene, at_m).map(RunWarning::Limit).filter(|_| !setup.is_rigid_mount);
+            load::exceeded(scene, far_m).map(RunWarning::Limit).filter(|_| !setup.is_rigid_mount);
         // Effects that the contact model does not include.
         let depth_m = run.penetration.final_m.filter(|_| !self.flows());
         let is_through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);

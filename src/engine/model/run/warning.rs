@@ -147,6 +147,19 @@ fn meets_next(plate: usize, travel_m: f64, gap_m: f64) -> (String, String) {
     (value, ": plates that meet are not in the model".to_owned())
 }
 
+/// The displacement of a spring beyond a limit, in words.
+fn beyond(Limit { required_m, limit_m, what }: Limit) -> (String, String) {
+    let by = if required_m.is_finite() {
+        format!("by {} m", significant(required_m, 4))
+    } else {
+        "without end".to_owned()
+    };
+    (
+        format!("spring is displaced {by}, beyond {} m", significant(limit_m, 4)),
+        format!("; there {what}"),
+    )
+}
+
 impl RunWarning {
     /// Value and meaning of the sentence, the meaning from its punctuation mark on.
     pub fn sentence(&self) -> (String, String) {
@@ -186,14 +199,7 @@ impl RunWarning {
             ),
             Self::NotModelled(what) => owned(what.sentence()),
             Self::PlateMeetsNext { plate, travel_m, gap_m } => meets_next(plate, travel_m, gap_m),
-            Self::Limit(Limit { required_m, limit_m, what }) => (
-                format!(
-                    "spring is displaced by {} m, beyond {} m",
-                    significant(required_m, 4),
-                    significant(limit_m, 4)
-                ),
-                format!("; there {what}"),
-            ),
+            Self::Limit(limit) => beyond(limit),
             Self::NoHardening { tensile_pa, yield_pa } => (
                 no_hardening(tensile_pa, yield_pa),
                 ": the plate is taken not to harden (n = 0)".to_owned(),

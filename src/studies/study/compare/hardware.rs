@@ -89,8 +89,12 @@ impl InstalledSpring {
 
     /// Returns the part that fails under a load case; `None` if all hold.
     pub(super) fn failure(&self, scene: &Scene, demand: &MechanismLoadCase) -> Option<Failure> {
-        let max_displacement_m = demand.max_displacement_m.filter(|_| scene.is_sprung())?;
-        if let Some(limit) = exceeded(scene, max_displacement_m).next() {
+        if !scene.is_sprung() {
+            return None;
+        }
+        // A plate that nothing stops passes the end of every law.
+        let far_m = demand.max_displacement_m.unwrap_or(f64::INFINITY);
+        if let Some(limit) = exceeded(scene, far_m).next() {
             return Some(Failure { word: "spring law", words: limit.what });
         }
         let is_full = |stored: &f64| *stored > self.capacity_j * (1.0 + SAME);
