@@ -15,7 +15,7 @@ use cmra_studies::report::stability::{
 };
 use cmra_studies::study::library;
 use cmra_studies::study::stability;
-use cmra_studies::study::stability::map::{self, Axis, FixedStep, StabilityMapRequest};
+use cmra_studies::study::stability::map::{self, FixedStep, MapVariable, StabilityMapRequest};
 use cmra_studies::study::stability::scene;
 
 /// Minimum width of a page with the column `difficulty`.
@@ -27,8 +27,8 @@ const WIDE: usize = 118;
 )]
 pub(super) struct StabilityArguments {
     /// Map where a fixed-step method is stable on SCENE, over its step and this variable
-    #[arg(long, value_name = "k|n|b", value_parser = choice(&Axis::ALL, Axis::symbol, Axis::about))]
-    map: Option<Axis>,
+    #[arg(long, value_name = "k|n|b", value_parser = choice(&MapVariable::ALL, MapVariable::symbol, MapVariable::about))]
+    map: Option<MapVariable>,
     /// The method of the map
     #[arg(long, default_value = "thesis", requires = "map", value_parser = choice(&FixedStep::ALL, FixedStep::word, FixedStep::about))]
     method: FixedStep,
@@ -40,8 +40,8 @@ pub(super) struct StabilityArguments {
 }
 
 pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
-    if let Some(axis) = arguments.map {
-        return draw_map(arguments, axis);
+    if let Some(variable) = arguments.map {
+        return draw_map(arguments, variable);
     }
     if arguments.study.scene.is_given() {
         return check_scene(arguments);
@@ -71,13 +71,14 @@ fn check_scene(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
     Ok(extent.exit_code(true))
 }
 
-fn draw_map(arguments: &StabilityArguments, axis: Axis) -> Result<ExitCode, CliError> {
+fn draw_map(arguments: &StabilityArguments, variable: MapVariable) -> Result<ExitCode, CliError> {
     let preset = arguments.study.load()?;
     map::accepts(&preset.scene)?;
     let size = if arguments.quick { map::QUICK } else { map::SIZE };
-    let wanted = StabilityMapRequest { method: arguments.method, axis, size };
+    let wanted = StabilityMapRequest { method: arguments.method, variable, size };
     let (map, extent) =
         arguments.study.run("rows", |context| map::map(&preset.scene, wanted, context));
+    let map = map?;
     let name = preset.name.as_str();
     let warnings: Vec<Warning> = library::warnings(&preset.scene).collect();
     let (page, object) = (map_page(&map, &preset.heading), tables::map_json(name, &map));

@@ -205,7 +205,7 @@ impl StudyRequest {
             Self::StabilityMap(request) => {
                 map::accepts(scene)?;
                 let watch = &mut reporter.watch(StabilityCells::clone);
-                map::map(scene, request.0, &mut Context::new(1, watch)).into()
+                map::map(scene, request.0, &mut Context::new(1, watch))?.into()
             }
             Self::StiffScenes(_) => {
                 let cases = stability::battery(false);

@@ -12,7 +12,7 @@ use cmra_engine::model::run::{EndReason, Outcome, Run};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_studies::study::context::{Context, never_cancel};
-use cmra_studies::study::stability::map::{self, Axis, FixedStep};
+use cmra_studies::study::stability::map::{self, FixedStep, MapVariable};
 
 use crate::support::says;
 
@@ -517,16 +517,17 @@ fn a_map_is_read_back_from_its_table() {
     let mut watch = never_cancel;
     let context = &mut Context::new(1, &mut watch);
     let size = map::QUICK;
-    let wanted = map::StabilityMapRequest { method: FixedStep::Rk4, axis: Axis::B, size };
-    let map = map::map(&Scene::default(), wanted, context);
-    let columns = map.dt_s.len();
-    assert_eq!(read.len(), map.values.len() * columns);
+    let (method, variable) = (FixedStep::Rk4, MapVariable::B);
+    let wanted = map::StabilityMapRequest { method, variable, size };
+    let map = map::map(&Scene::default(), wanted, context).unwrap();
+    let (columns, rows) = map.counts();
+    assert_eq!(read.len(), rows * columns);
     let bits = |field: &str| field.parse::<f64>().ok().map(f64::to_bits);
     for (at, record) in read.iter().enumerate() {
         let (row, column) = (at / columns, at % columns);
         assert_eq!((&record[0], &record[2]), ("thesis-baseline", "b"));
-        assert_eq!(bits(&record[3]), Some(map.values[row].to_bits()));
-        assert_eq!(bits(&record[4]), Some(map.dt_s[column].to_bits()));
+        assert_eq!(bits(&record[3]), Some(map.variable.value(row as u64).to_bits()));
+        assert_eq!(bits(&record[4]), Some(map.dt.value(column as u64).to_bits()));
         assert_eq!(&record[5], map.cell(row, column).word());
     }
 }

@@ -11,7 +11,7 @@ use cmra_studies::study::compare::{Hardware, compare};
 use cmra_studies::study::context::{Context, never_cancel};
 use cmra_studies::study::limit;
 use cmra_studies::study::parallel::{Clock, Threads, WorkClock};
-use cmra_studies::study::stability::map::{Axis, FixedStep, StabilityMapRequest, map};
+use cmra_studies::study::stability::map::{FixedStep, MapVariable, StabilityMapRequest, map};
 
 use crate::pty::HANG;
 use crate::support::{in_folder, scene};
@@ -119,10 +119,10 @@ fn limits_comparisons_and_maps_use_the_threads_they_are_given() {
         compare(&scene, Hardware::default(), &mut Context::new(threads, &mut never_cancel))
             .unwrap();
     };
-    let wanted =
-        StabilityMapRequest { method: FixedStep::ALL[0], axis: Axis::ALL[0], size: (8, 8) };
+    let (method, variable) = (FixedStep::ALL[0], MapVariable::ALL[0]);
+    let wanted = StabilityMapRequest { method, variable, size: (8, 8) };
     let map = |threads| {
-        map(&scene, wanted, &mut Context::new(threads, &mut never_cancel));
+        map(&scene, wanted, &mut Context::new(threads, &mut never_cancel)).unwrap();
     };
     let studies: [(&str, &dyn Fn(Threads)); 3] =
         [("limit", &find), ("compare", &compare), ("stability --map", &map)];

@@ -11,9 +11,9 @@ use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::stability::map::{Cell, Map, THESIS_DT_S};
 use crate::study::stability::scene::{SceneStability, ToleranceRow};
 use crate::study::stability::{ERROR_MAX, FailureReason, RESIDUAL_MAX, Row};
+use crate::study::sweep;
 use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::units::{engineering, significant};
-use cmra_engine::model::variables::find;
 use cmra_engine::numerics::larger;
 
 /// Columns of a page that say how a scene has run.
@@ -187,7 +187,7 @@ fn summary(page: &mut Page, rows: &[Row], took_s: f64) {
 
 /// Returns the report of a map of a method with a fixed step.
 pub fn map_page(map: &Map, scene: &str) -> Page {
-    let (method, symbol) = (map.method.name(), map.axis.symbol());
+    let (method, symbol) = (map.method.name(), map.variable.symbol());
     let mut page = Page::new(format!(
         "{method} on {scene}: time step against {symbol}; a run uses auto, for which see cmra accuracy"
     ));
@@ -198,28 +198,28 @@ pub fn map_page(map: &Map, scene: &str) -> Page {
 
 /// The map, one row a cell.
 pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> {
-    let columns = 0..map.dt_s.len();
-    let rows =
-        (0..map.values.len()).flat_map(|row| columns.clone().map(move |column| (row, column)));
-    Table::new(rows)
+    let (columns, rows) = map.counts();
+    let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+    Table::new(cells)
         .field("scene", move |_| scene)
         .field("method", |_| map.method.name())
-        .field("variable", |_| map.axis.symbol())
-        .field("value", |at| map.values[at.0])
-        .field("dt_s", |at| map.dt_s[at.1])
+        .field("variable", |_| map.variable.symbol())
+        .field("value", |at| map.variable.value(at.0 as u64))
+        .field("dt_s", |at| map.dt.value(at.1 as u64))
         .field("cell", |at| map.cell(at.0, at.1).word())
 }
 
 /// The map; its cells as they are shaded, row by row.
 pub fn map_json(scene: &str, map: &Map) -> Value {
-    let shades = |row| (0..map.dt_s.len()).map(move |column| map.cell(row, column).shade());
-    let rows: Vec<String> = (0..map.values.len()).map(|row| shades(row).collect()).collect();
+    let (columns, rows) = map.counts();
+    let shades = |row| (0..columns).map(move |column| map.cell(row, column).shade());
+    let rows: Vec<String> = (0..rows).map(|row| shades(row).collect()).collect();
     json!({
         "scene": scene,
         "method": map.method.name(),
-        "variable": map.axis.symbol(),
-        "dt_s": map.dt_s,
-        "values": map.values,
+        "variable": map.variable.symbol(),
+        "dt_s": map.dt.values(),
+        "values": map.variable.values(),
         "cells": rows,
         "present": { "value": map.present, "dt_s": THESIS_DT_S },
     })
@@ -227,15 +227,12 @@ pub fn map_json(scene: &str, map: &Map) -> Value {
 
 /// The map as a picture.
 pub fn picture(found: &Map) -> map::Map<'static> {
-    let symbol = found.axis.symbol();
-    let unit = find(symbol).map_or("", |variable| variable.unit());
-    let axis = |label: &'static str, unit: &'static str, values: &[f64]| {
-        let ends = values.first().zip(values.last());
-        let view = ends.map_or_else(ViewRange::default, |(low, high)| ViewRange::new(*low, *high));
-        Axis::new(label, view).scale(Scale::Log10).unit(Unit::new(unit))
+    let axis = |axis: &sweep::Axis| {
+        let (low, high) = axis.ends();
+        let unit = Unit::new(axis.variable().unit());
+        Axis::new(axis.symbol(), ViewRange::new(low, high)).scale(Scale::Log10).unit(unit)
     };
-    let axes = (axis("dt", "s", &found.dt_s), axis(symbol, unit, &found.values));
-    let counts = (found.dt_s.len(), found.values.len());
+    let axes = (axis(&found.dt), axis(&found.variable));
     let cell = |column: usize, row: usize| {
         let cell = found.cell(row, column);
         map::Cell::Mark(cell.shade(), tone(cell))
@@ -248,7 +245,7 @@ pub fn picture(found: &Map) -> map::Map<'static> {
     map::Map {
         present: found.present_at().map(|at| (at, '+')),
         marks,
-        ..map::Map::new(title(found), axes, counts, None, cell)
+        ..map::Map::new(title(found), axes, found.counts(), None, cell)
     }
 }
 

@@ -9,10 +9,10 @@ use crate::tui::pages::numerics::stability::{battery_readout, map_readout, stabi
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs::name_of;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::variables;
 use cmra_studies::report::{accuracy as accuracy_table, stability as stability_table};
 use cmra_studies::study::accuracy::method::Method;
 use cmra_studies::study::library;
+use cmra_studies::study::sweep::Axis;
 
 pub use state::{ACCURACY, STABILITY, STIFF_SCENES};
 
@@ -116,8 +116,8 @@ impl Page for NumericsTab {
             _ => {
                 let kept = &tab.stability.map;
                 let (map, name) = (kept.result.clone()?, name_of(app, &kept.scene));
-                let command =
-                    format!("stability --map {} --method {}", map.axis.symbol(), map.method.word());
+                let (symbol, method) = (map.variable.symbol(), map.method.word());
+                let command = format!("stability --map {symbol} --method {method}");
                 let warnings: Vec<Warning> = library::warnings(&kept.scene).collect();
                 let csv = move |reach| {
                     let table = stability_table::map_table(&name, &map);
@@ -132,12 +132,9 @@ impl Page for NumericsTab {
     fn places(&self, app: &App) -> Vec<(String, String)> {
         let map = app.pages.numerics.stability.map.result.as_ref();
         let map = map.filter(|_| app.pane() == STABILITY);
-        let place = |name: &str, unit: &str| (name.to_owned(), unit.to_owned());
-        map.map_or_else(Vec::new, |map| {
-            let symbol = map.axis.symbol();
-            let unit = variables::find(symbol).map_or("", |variable| variable.unit());
-            vec![place("dt", "s"), place(symbol, unit)]
-        })
+        let axes = map.into_iter().flat_map(|map| [&map.dt, &map.variable]);
+        let place = |axis: &Axis| (axis.symbol().to_owned(), axis.variable().unit().to_owned());
+        axes.map(place).collect()
     }
 
     fn go_to_place(&self, app: &mut App, text: &str) -> Result<(), String> {

@@ -11,7 +11,7 @@ use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::StudyResult;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
-use cmra_studies::study::stability::map::{Axis, Cell, FixedStep};
+use cmra_studies::study::stability::map::{Cell, FixedStep, MapVariable};
 
 #[test]
 fn letters_of_events_stay_beside_pinned_runs() {
@@ -69,8 +69,8 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("55");
     let study = bench.studies().pop().expect("a map");
-    let mut map = stability::map(FixedStep::Thesis, Axis::K);
-    let columns = map.dt_s.len();
+    let mut map = stability::map(FixedStep::Thesis, MapVariable::K);
+    let (columns, _) = map.counts();
     map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
     bench.part(study.id, (10, 19), StudyResult::from(map));
     let screen = bench.screen();

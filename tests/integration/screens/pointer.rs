@@ -143,7 +143,7 @@ fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
     // More rows and columns of cells than of the map.
     let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
     let map = bench.app.pages.numerics.stability.map.result.clone().unwrap();
-    let (rows, steps) = (map.values.len(), map.dt_s.len());
+    let (steps, rows) = map.counts();
     // The plot stands right of the values of its rows and above axis and steps.
     let corners = [((7, 3), (0, rows - 1)), ((116, 3), (steps - 1, rows - 1)), ((7, 51), (0, 0))];
     for (at, cell) in corners {

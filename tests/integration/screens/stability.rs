@@ -9,29 +9,30 @@ use cmra::worker::studies::{RequestVariant, StabilityMap, StiffScenes, StudyResu
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::accuracy::reference::ReferenceSource;
 use cmra_studies::study::stability::cases::CASES;
-use cmra_studies::study::stability::map::{Axis, Cell, FixedStep, Map, SIZE, StabilityMapRequest};
+use cmra_studies::study::stability::map::{
+    Cell, FixedStep, Map, MapVariable, SIZE, StabilityMapRequest,
+};
 use cmra_studies::study::stability::{FailureReason, Row};
+use cmra_studies::study::sweep::{Axis, Spacing};
 
 /// A map with a limit that falls with the square root of the value.
-pub(super) fn map(method: FixedStep, axis: Axis) -> Map {
-    let ratios = |(low, high): (f64, f64), count: i32| -> Vec<f64> {
-        let step = (high / low).ln() / f64::from(count - 1);
-        (0..count).map(|i| low * (step * f64::from(i)).exp()).collect()
-    };
-    let (dt_s, values) = (ratios((1e-9, 1e-4), 61), ratios((1e3, 1e12), 19));
+pub(super) fn map(method: FixedStep, variable: MapVariable) -> Map {
+    let axis = |name, ends, count| Axis::new(name, ends, count, Spacing::Log).unwrap();
+    let dt = axis("dt", (1e-9, 1e-4), 61);
+    let variable = axis(variable.symbol(), variable.range(), 19);
     let limit = |value: f64| 2.83 / (value / 0.0295).sqrt();
     let cell = |value: f64, dt_s: f64| match dt_s / limit(value) {
         ratio if ratio < 0.5 && dt_s < 3e-6 => Cell::Accurate,
         ratio if ratio < 1.5 => Cell::Inaccurate,
         _ => Cell::BlownUp,
     };
+    let (steps, values) = (dt.values(), variable.values());
     Map {
         method,
-        axis,
-        cells: values.iter().flat_map(|k| dt_s.iter().map(|dt| cell(*k, *dt))).collect(),
+        cells: values.iter().flat_map(|k| steps.iter().map(|dt_s| cell(*k, *dt_s))).collect(),
         present: 1e5,
-        dt_s,
-        values,
+        dt,
+        variable,
     }
 }
 
@@ -49,8 +50,8 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
 }
 
 /// A whole map.
-fn whole(method: FixedStep, axis: Axis) -> StabilityMapRequest {
-    StabilityMapRequest { method, axis, size: SIZE }
+fn whole(method: FixedStep, variable: MapVariable) -> StabilityMapRequest {
+    StabilityMapRequest { method, variable, size: SIZE }
 }
 
 /// The map that was requested, by its place among the studies.
@@ -62,7 +63,7 @@ fn asked(bench: &mut Bench, at: usize) -> StabilityMapRequest {
 pub(super) fn answer(bench: &mut Bench) {
     for study in bench.studies() {
         let found = if let Some(asked) = StabilityMap::downcast(&study.request) {
-            StudyResult::from(map(asked.0.method, asked.0.axis))
+            StudyResult::from(map(asked.0.method, asked.0.variable))
         } else if StiffScenes::downcast(&study.request).is_some() {
             StudyResult::from(rows(12))
         } else {
@@ -95,15 +96,15 @@ fn the_crosshair_starts_at_the_scene_and_describes_each_cell() {
 fn variable_and_method_are_chosen_and_mapped_again() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
-    assert_eq!(asked(&mut bench, 0), whole(FixedStep::Thesis, Axis::N));
+    assert_eq!(asked(&mut bench, 0), whole(FixedStep::Thesis, MapVariable::N));
     bench.keys("vv");
-    assert_eq!(asked(&mut bench, 1), whole(FixedStep::Rk4, Axis::K));
+    assert_eq!(asked(&mut bench, 1), whole(FixedStep::Rk4, MapVariable::K));
     // A map that came back belongs to what was requested last.
     bench.app.jobs.studies.clear();
     bench.keys("1");
     bench.effects.clear();
     bench.keys("5");
-    assert_eq!(asked(&mut bench, 0), whole(FixedStep::Rk4, Axis::K));
+    assert_eq!(asked(&mut bench, 0), whole(FixedStep::Rk4, MapVariable::K));
 }
 
 #[test]
@@ -153,14 +154,14 @@ fn map_and_battery_are_exported_each_where_it_is_shown() {
     bench.keys("e<Enter>");
     let (path, text) = exported(&mut bench);
     assert_eq!(path, "/home/ada/work/thesis-baseline-map.csv");
-    let shown = map(FixedStep::Thesis, Axis::K);
+    let shown = map(FixedStep::Thesis, MapVariable::K);
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     assert_eq!(read.len(), shown.cells.len());
     for (record, cell) in read.iter().zip(&shown.cells) {
         assert_eq!(&record[5], cell.word());
     }
-    assert_eq!(read[0][3].parse::<f64>().unwrap().to_bits(), shown.values[0].to_bits());
+    assert_eq!(read[0][3].parse::<f64>().unwrap().to_bits(), shown.variable.value(0).to_bits());
     bench.keys("<Esc><Tab>e");
     assert!(bench.message().contains("nothing is finished yet"), "{}", bench.message());
     answer(&mut bench);

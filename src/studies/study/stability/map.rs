@@ -4,11 +4,12 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::study::context::Context;
+use crate::study::sweep::{Axis, Spacing, StudyError};
 use cmra_engine::model::appendix::Scheme;
 use cmra_engine::model::run::{EndReason, Observer, Outcome};
 use cmra_engine::model::scene::{Listing, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
-use cmra_engine::model::variables::{self, Number, Variable, VariableError};
+use cmra_engine::model::variables::{self, VariableError};
 use cmra_engine::numerics::larger;
 
 /// Largest relative error of an accurate cell.
@@ -51,7 +52,7 @@ enumeration! {
 
 enumeration! {
     /// Variable of a map.
-    pub enum Axis in AxisRow {
+    pub enum MapVariable in MapVariableRow {
         /// Symbol of the variable.
         symbol: &'static str,
         /// Meaning of the variable.
@@ -68,14 +69,6 @@ enumeration! {
     /// Damper coefficient.
     B {
         symbol: "b", about: "Damper coefficient", range: (1.0, 1e8) }
-}
-
-impl Axis {
-    /// Returns the variable of scenes.
-    fn number(self) -> &'static Number {
-        let variable = variables::find(self.symbol()).ok().and_then(Variable::number);
-        variable.expect("a number of the table of variables, by a test")
-    }
 }
 
 enumeration! {
@@ -117,7 +110,7 @@ pub struct StabilityMapRequest {
     /// The method.
     pub method: FixedStep,
     /// The variable of the rows.
-    pub axis: Axis,
+    pub variable: MapVariable,
     /// Numbers of rows and columns.
     pub size: (usize, usize),
 }
@@ -126,8 +119,8 @@ pub struct StabilityMapRequest {
 impl fmt::Display for StabilityMapRequest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let quick = if self.size == QUICK { " --quick" } else { "" };
-        let (axis, method) = (self.axis.symbol(), self.method.word());
-        write!(f, "stability --map {axis} --method {method}{quick}")
+        let (variable, method) = (self.variable.symbol(), self.method.word());
+        write!(f, "stability --map {variable} --method {method}{quick}")
     }
 }
 
@@ -136,12 +129,10 @@ impl fmt::Display for StabilityMapRequest {
 pub struct Map {
     /// The method.
     pub method: FixedStep,
-    /// The variable of the rows.
-    pub axis: Axis,
-    /// Step sizes of the columns, increasing, s.
-    pub dt_s: Vec<f64>,
-    /// Values of the rows, increasing.
-    pub values: Vec<f64>,
+    /// Step size across.
+    pub dt: Axis,
+    /// Variable up.
+    pub variable: Axis,
     /// Cells, row by row.
     pub cells: Vec<Cell>,
     /// Value of the scene itself, shown at the step size of the thesis.
@@ -151,7 +142,13 @@ pub struct Map {
 impl Map {
     /// Returns the cell in a row and a column.
     pub fn cell(&self, row: usize, column: usize) -> Cell {
-        self.cells[row * self.dt_s.len() + column]
+        self.cells[row * self.counts().0 + column]
+    }
+
+    /// Returns the numbers of columns and of rows.
+    pub fn counts(&self) -> (usize, usize) {
+        let columns = usize::try_from(self.dt.count()).unwrap_or(usize::MAX);
+        (columns, self.cells.len() / columns)
     }
 
     /// Returns `true` if every cell is computed.
@@ -166,16 +163,15 @@ impl Map {
 
     /// Returns column and row of the cell closest to a step size and a value; `None` outside the map.
     pub fn nearest(&self, dt_s: f64, value: f64) -> Option<(usize, usize)> {
-        nearest(&self.dt_s, dt_s).zip(nearest(&self.values, value))
+        nearest(&self.dt, dt_s).zip(nearest(&self.variable, value))
     }
 }
 
-/// Returns the index of the closest of increasing values, by ratio; `None` outside their range.
-fn nearest(values: &[f64], value: f64) -> Option<usize> {
-    let inside = value >= 0.99 * values.first()? && value <= 1.01 * values.last()?;
-    let distance = |other: f64| (other / value).ln().abs();
-    let all = 0..values.len();
-    all.min_by(|a, b| distance(values[*a]).total_cmp(&distance(values[*b]))).filter(|_| inside)
+/// Returns the closest point of an axis; `None` outside its range.
+fn nearest(axis: &Axis, value: f64) -> Option<usize> {
+    let (low, high) = axis.ends();
+    let inside = value >= 0.99 * low && value <= 1.01 * high;
+    usize::try_from(axis.nearest(value)).ok().filter(|_| inside)
 }
 
 /// Checks that a scene has a stability map: one plate on a power law, hydrodynamic contact.
@@ -187,43 +183,42 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
 }
 
 /// Computes the map of a valid scene and reports partial maps; a stopped map has waiting cells.
-pub fn map(scene: &Scene, wanted: StabilityMapRequest, context: &mut Context<'_, Map>) -> Map {
-    let StabilityMapRequest { method, axis, size: (rows, columns) } = wanted;
+pub fn map(
+    scene: &Scene,
+    wanted: StabilityMapRequest,
+    context: &mut Context<'_, Map>,
+) -> Result<Map, StudyError> {
+    let StabilityMapRequest { method, variable, size: (rows, columns) } = wanted;
     let contact_s = Target::from_scene(scene, &mut context.observer()).map_or_else(
         || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
         |target| target.contact_s,
     );
-    let [steps, range] = [(1e-5 * contact_s, contact_s), axis.range()];
-    let (dt_s, values) = (ratios(steps, columns), ratios(range, rows));
-    let mut map = Map {
-        method,
-        axis,
-        cells: vec![Cell::Waiting; rows * columns],
-        dt_s,
-        values,
-        present: (axis.number().get)(scene).unwrap_or(0.0),
-    };
-    context.expect(rows);
-    let (steps, stop) = (map.dt_s.clone(), context.stop());
+    let in_ratios = |name, ends, count: usize| Axis::new(name, ends, count as u64, Spacing::Log);
+    let dt = in_ratios("dt", (1e-5 * contact_s, contact_s), columns)?;
+    let variable = in_ratios(variable.symbol(), variable.range(), rows)?;
+    let (steps, values, stop) = (dt.values(), variable.values(), context.stop());
     let row = |value: &f64| {
         let mut own = scene.clone();
-        (axis.number().set)(&mut own, Some(*value));
+        variable.set(&mut own, *value);
         let target = Target::from_scene(&own, &mut |_| stop.flow());
         let cell =
             |dt_s: &f64| (!stop.is_set()).then(|| cell(&own, method, *dt_s, target.as_ref()));
         steps.iter().map(cell).collect::<Option<Vec<Cell>>>()
     };
-    context.map_items(&map.values.clone(), row, |context, found| {
+    let mut map = Map {
+        method,
+        cells: vec![Cell::Waiting; rows * columns],
+        present: variable.get(scene).unwrap_or(0.0),
+        dt,
+        variable: variable.clone(),
+    };
+    context.expect(rows);
+    context.map_items(&values, row, |context, found| {
         let seen = found.iter().flatten();
         map.cells.iter_mut().zip(seen).for_each(|(cell, seen)| *cell = *seen);
         context.show(&map)
     });
-    map
-}
-
-fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
-    let step = |i: usize| i as f64 / (count - 1) as f64;
-    (0..count).map(|i| low * (high / low).powf(step(i))).collect()
+    Ok(map)
 }
 
 /// Reference of a row: duration of the contact, maximum velocity of the plate, and end of the contact.
@@ -289,18 +284,20 @@ mod tests {
         let mut scene = Scene::default();
         scene.run.horizon_s = Some(1e9);
         scene.mechanism.spring.exponent = 0.3;
-        let request = StabilityMapRequest { method: FixedStep::Rk4, axis: Axis::K, size: QUICK };
+        let (method, variable) = (FixedStep::Rk4, MapVariable::K);
+        let request = StabilityMapRequest { method, variable, size: QUICK };
         let stops = &mut |_: Progress, _: Option<&Map>| ControlFlow::Break(());
-        let found = map(&scene, request, &mut Context::new(1, stops));
+        let found = map(&scene, request, &mut Context::new(1, stops)).unwrap();
         assert!(found.cells.iter().all(|cell| *cell == Cell::Waiting));
     }
 
     #[test]
-    fn every_axis_is_a_number_of_scenes() {
-        for axis in Axis::ALL {
-            let mut scene = Scene::default();
-            (axis.number().set)(&mut scene, Some(axis.range().1));
-            assert_eq!((axis.number().get)(&scene), Some(axis.range().1));
+    fn every_variable_has_an_axis_whose_ends_are_inside_the_map() {
+        for variable in MapVariable::ALL {
+            let ends = variable.range();
+            let axis = Axis::new(variable.symbol(), ends, 19, Spacing::Log).unwrap();
+            assert_eq!([ends.0, ends.1].map(|end| nearest(&axis, end)), [Some(0), Some(18)]);
+            assert_eq!([0.9 * ends.0, 1.1 * ends.1].map(|end| nearest(&axis, end)), [None, None]);
         }
     }
 

@@ -202,6 +202,11 @@ impl Axis {
         }
     }
 
+    /// Returns the values of all points.
+    pub fn values(&self) -> Vec<f64> {
+        (0..self.count()).map(|index| self.value(index)).collect()
+    }
+
     /// Returns the point with the closest value, on the scale of the spacing.
     pub fn nearest(&self, value: f64) -> u64 {
         let gap = |index: &u64| (self.place(self.value(*index)) - self.place(value)).abs();

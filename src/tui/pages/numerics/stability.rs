@@ -8,12 +8,12 @@ use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::counted;
 use crate::worker::studies::{StabilityMap, StiffScenes};
 use cmra_engine::model::units::{self, Bare, Dimension, engineering};
-use cmra_engine::model::variables;
 use cmra_studies::report;
 use cmra_studies::report::chart::spaced;
 use cmra_studies::report::stability::{HOW_IT_RAN, picture, table, title};
 use cmra_studies::study::accuracy::reference::ReferenceSource;
 use cmra_studies::study::stability::map::{self, StabilityMapRequest};
+use cmra_studies::study::sweep::Axis;
 
 /// Explains the columns of the stiff scenes, for `?`.
 pub(crate) fn stiff_scenes_words() -> String {
@@ -38,9 +38,9 @@ pub fn map_readout(app: &App) -> Option<String> {
     let here = if tab.present() == Some((column, row)) { "the scene: " } else { "" };
     Some(format!(
         "{here}dt {} s, {} {}: {}",
-        significant(map.dt_s[column], 2),
-        map.axis.symbol(),
-        significant(map.values[row], 2),
+        significant(map.dt.value(column as u64), 2),
+        map.variable.symbol(),
+        significant(map.variable.value(row as u64), 2),
         map.cell(row, column).words(),
     ))
 }
@@ -88,7 +88,7 @@ pub(crate) fn report(app: &mut App, running: &Running, news: &ReportBody) {
     if tab.map.keep(running, news)
         && let Some(map) = &tab.map.result
     {
-        tab.cursor.take_if(|_| before.is_none_or(|before| before.axis != map.axis));
+        tab.cursor.take_if(|_| before.is_none_or(|before| before.variable != map.variable));
     }
 }
 
@@ -102,7 +102,7 @@ pub(crate) fn enter(app: &mut App) {
         return;
     }
     let is_other = tab.map.result.as_ref().is_some_and(|map| {
-        (map.method, map.axis) != (tab.method(), tab.axis())
+        (map.method, map.variable.symbol()) != (tab.method(), tab.variable().symbol())
             && app.jobs.running::<StabilityMap>().is_none()
     });
     if is_other || app.jobs.lacks::<StabilityMap, _>(&tab.map, &app.scene) {
@@ -135,25 +135,28 @@ pub(super) fn place(app: &App, text: &str) -> Result<Option<(usize, usize)>, Str
     let Some((map, (column, row))) = tab.map.result.as_ref().zip(tab.cursor()) else {
         return Ok(None);
     };
-    let symbol = map.axis.symbol();
-    let number = variables::find(symbol).ok().and_then(|variable| variable.number());
-    let quantity = number.map_or(Dimension::Number, |number| number.quantity);
-    let axes = [("dt", Dimension::Time, &map.dt_s), (symbol, quantity, &map.values)];
+    let axes = [&map.dt, &map.variable];
+    let names = axes.map(Axis::symbol);
     let read = |at: usize, text: &str| {
-        let (name, quantity, values) = &axes[at];
-        let value = units::parse(text, *quantity, Bare::Stored)?;
-        let ends = values.first().zip(values.last()).map_or((0.0, 0.0), |it| (*it.0, *it.1));
-        on_axis(name, value, ends, |value| engineering(value, quantity.unit(), 3))
+        let number = axes[at].variable().number();
+        let quantity = number.map_or(Dimension::Number, |number| number.quantity);
+        let value = units::parse(text, quantity, Bare::Stored)?;
+        on_axis(names[at], value, axes[at].ends(), |value| engineering(value, quantity.unit(), 3))
     };
-    let values = place::values(text, &["dt", symbol], read)?;
-    let at = |axis: usize, kept: f64| values[axis].unwrap_or(kept);
-    Ok(map.nearest(at(0, map.dt_s[column]), at(1, map.values[row])))
+    let values = place::values(text, &names, read)?;
+    let at =
+        |axis: usize, kept: usize| values[axis].unwrap_or_else(|| axes[axis].value(kept as u64));
+    Ok(map.nearest(at(0, column), at(1, row)))
 }
 
 /// Returns the request of the selected map.
 fn map_of(app: &App) -> StabilityMap {
     let tab = &app.pages.numerics.stability;
-    StabilityMap(StabilityMapRequest { method: tab.method(), axis: tab.axis(), size: map::SIZE })
+    StabilityMap(StabilityMapRequest {
+        method: tab.method(),
+        variable: tab.variable(),
+        size: map::SIZE,
+    })
 }
 
 pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -167,7 +170,7 @@ pub(crate) fn draw_map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return canvas.put_centred(inner, &nothing::<StabilityMap>(app, "computing the map", None));
     };
     // The vertical axis has no label here.
-    let title = format!("{}; up: {}{old}", title(found), found.axis.symbol());
+    let title = format!("{}; up: {}{old}", title(found), found.variable.symbol());
     let cursor = tab.cursor();
     let map = report::map::Map { title: title.into(), cursor, focused, ..picture(found) };
     let layout = canvas.draw_map(&map, area);

@@ -7,7 +7,7 @@ use cmra_studies::report::accuracy::TARGETS;
 use cmra_studies::study::accuracy::method::{Method, Parameter};
 use cmra_studies::study::accuracy::{AccuracyReport, Measured, MethodReport};
 use cmra_studies::study::stability::Row;
-use cmra_studies::study::stability::map::{Axis, FixedStep, Map};
+use cmra_studies::study::stability::map::{FixedStep, Map, MapVariable};
 
 /// Pane of error over run time.
 pub const ACCURACY: Pane = Pane::new(Tab::Numerics, 0);
@@ -78,11 +78,11 @@ pub struct Stability {
 
 impl Stability {
     pub(crate) fn method(&self) -> FixedStep {
-        FixedStep::ALL[self.view / Axis::ALL.len() % FixedStep::ALL.len()]
+        FixedStep::ALL[self.view / MapVariable::ALL.len() % FixedStep::ALL.len()]
     }
 
-    pub(crate) fn axis(&self) -> Axis {
-        Axis::ALL[self.view % Axis::ALL.len()]
+    pub(crate) fn variable(&self) -> MapVariable {
+        MapVariable::ALL[self.view % MapVariable::ALL.len()]
     }
 
     /// Returns the cell of the present point, at the scene's value and the thesis's step; `None` outside the map.
@@ -92,14 +92,13 @@ impl Stability {
 
     /// Returns the cell of the crosshair; the middle of the map by default.
     pub fn cursor(&self) -> Option<(usize, usize)> {
-        let map = self.map.result.as_ref()?;
-        let middle = (map.dt_s.len() / 2, map.values.len() / 2);
-        self.cursor.or_else(|| self.present()).or(Some(middle))
+        let (columns, rows) = self.map.result.as_ref()?.counts();
+        self.cursor.or_else(|| self.present()).or(Some((columns / 2, rows / 2)))
     }
 
     pub(crate) fn move_cursor(&mut self, by: (isize, isize)) {
         if let (Some(at), Some(map)) = (self.cursor(), &self.map.result) {
-            self.cursor = Some(moved(at, by, (map.dt_s.len(), map.values.len())));
+            self.cursor = Some(moved(at, by, map.counts()));
         }
     }
 
