@@ -250,14 +250,15 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
     }
 }
 
-/// Returns the scene with the alternative closure and its drag: `C_d` = 0.5 for 2 Y (Virostek), 1 for cavity expansion on a hemisphere.
+/// Returns the scene with the alternative closure, its dishing and its drag.
 fn other(scene: &Scene) -> Option<Scene> {
     let mut own = scene.clone();
-    (own.target.closure, own.target.dishing, own.target.drag_coefficient) = match scene.closure() {
+    let closure = match scene.closure() {
         Closure::Given | Closure::Cylindrical => return None,
-        Closure::DoubleYield => (Closure::Cavity, false, 1.0),
-        Closure::Cavity | Closure::ByThickness => (Closure::DoubleYield, true, 0.5),
+        Closure::DoubleYield => Closure::Cavity,
+        Closure::Cavity | Closure::ByThickness => Closure::DoubleYield,
     };
+    own.target = own.target.by_law(closure, own.projectile.nose);
     Some(own)
 }
 

@@ -252,12 +252,18 @@ impl Target {
     /// Returns the target under a closure and a nose, with their dishing and, unless given, their drag.
     #[must_use]
     pub fn under(self, closure: Closure, nose: Nose) -> Self {
+        let law = self.by_law(closure, nose);
+        match self.drag {
+            DragSource::Given => Self { drag_coefficient: self.drag_coefficient, ..law },
+            DragSource::Closure => law,
+        }
+    }
+
+    /// Returns the target under a closure and a nose, with their dishing and drag, even if a drag is given.
+    #[must_use]
+    pub fn by_law(self, closure: Closure, nose: Nose) -> Self {
         let dishing = closure == Closure::DoubleYield;
-        let drag_coefficient = match self.drag {
-            DragSource::Given => self.drag_coefficient,
-            DragSource::Closure if dishing => VIROSTEK_DRAG,
-            DragSource::Closure => nose.drag_coefficient(),
-        };
+        let drag_coefficient = if dishing { VIROSTEK_DRAG } else { nose.drag_coefficient() };
         Self { closure, dishing, drag_coefficient, drag: DragSource::Closure, ..self }
     }
 }
@@ -271,7 +277,7 @@ const VIROSTEK_DRAG: f64 = 0.5;
 impl Nose {
     /// Returns the drag coefficient of hole growth without dishing: that of an ogive of CRH 3 (N = 0.106 of Forrestal, `C_d` = 2 N), else a
     /// hemisphere's.
-    pub fn drag_coefficient(self) -> f64 {
+    fn drag_coefficient(self) -> f64 {
         if self == Self::Pointed { 0.212 } else { 1.0 }
     }
 

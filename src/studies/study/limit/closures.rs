@@ -122,14 +122,11 @@ fn by_closure(scene: &Scene, closure: Closure) -> Scene {
         if target.closure == Closure::Given {
             continue;
         }
-        // Virostek's law has half the drag of cavity expansion on a hemisphere.
-        let is_thin = |closure: Closure| closure == Closure::DoubleYield;
-        target.drag_coefficient *= match (is_thin(target.closure), is_thin(closure)) {
-            (true, false) => 2.0,
-            (false, true) => 0.5,
-            _ => 1.0,
-        };
-        (target.closure, target.dishing) = (closure, is_thin(closure));
+        // A given drag stays in proportion to that of the closure.
+        let nose = scene.projectile.nose;
+        let (own, other) = (target.by_law(target.closure, nose), target.by_law(closure, nose));
+        let factor = other.drag_coefficient / own.drag_coefficient;
+        *target = Target { drag_coefficient: factor * target.drag_coefficient, ..other };
         target.give_drag();
     }
     own

@@ -47,11 +47,11 @@ impl Key {
     pub fn from_scene(scene: &Scene) -> Option<Self> {
         let (projectile, target) = (&scene.projectile, scene.target_in_effect());
         let is_rigid_plate = !scene.is_sprung() && !scene.is_stack();
+        let law = target.by_law(Closure::Cylindrical, projectile.nose);
         let is_law = scene.contact.model == ContactModel::Hydrodynamic
-            && target.closure == Closure::Cylindrical
-            && !target.dishing
+            && (target.closure, target.dishing) == (law.closure, law.dishing)
             && target.criterion == Criterion::Passage
-            && (target.drag_coefficient - projectile.nose.drag_coefficient()).abs() < ROUNDING;
+            && (target.drag_coefficient - law.drag_coefficient).abs() < ROUNDING;
         let is_in = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
         let is_of = |(density, modulus)| {
             is_in(target.density_kg_m3, density) && is_in(target.modulus_pa, modulus)
