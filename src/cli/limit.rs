@@ -8,7 +8,7 @@ use clap::Args;
 use crate::cli::CliError;
 use crate::cli::charts::ChartArguments;
 use crate::cli::study::StudyArguments;
-use cmra_studies::report::limit::{self, page, residual};
+use cmra_studies::report::limit::{self, FittedLaw, page, residual};
 use cmra_studies::report::svg::Picture;
 use cmra_studies::study::limit::{COMMAND, find};
 
@@ -35,7 +35,9 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
         let (source, rows) = ((&*report.scene, COMMAND.to_owned()), limit::shots(name, &report));
         study.deliver(extent, source, &warnings, (page, object), rows)?;
     }
-    let chart = || residual(&report, report.scene.projectile.velocity_m_s).map(Picture::Chart);
+    let chart = || {
+        residual(&report, report.scene.projectile.velocity_m_s, FittedLaw::name).map(Picture::Chart)
+    };
     pictures.write(&study.table, extent.reach, || chart().into_iter().collect())?;
     Ok(extent.exit_code(true))
 }

@@ -56,17 +56,17 @@ impl Energies {
         Some(now)
     }
 
-    /// Returns the energies with their names, in the order of a bar.
-    pub fn parts(&self) -> [(&'static str, f64); 8] {
+    /// Returns the energies with their names, long and short, in the order of a bar.
+    pub fn parts(&self) -> [([&'static str; 2], f64); 8] {
         [
-            ("projectile", self.projectile_j),
-            ("target", self.target_j),
-            ("plate", self.plate_j),
-            ("spring", self.spring_j),
-            ("damper", self.damper_j),
-            ("interface", self.interface_j),
-            ("stop", self.stop_j),
-            ("plug", self.plug_j),
+            (["projectile", "shot"], self.projectile_j),
+            (["target"; 2], self.target_j),
+            (["plate"; 2], self.plate_j),
+            (["spring"; 2], self.spring_j),
+            (["damper"; 2], self.damper_j),
+            (["interface", "grip"], self.interface_j),
+            (["stop"; 2], self.stop_j),
+            (["plug"; 2], self.plug_j),
         ]
     }
 
@@ -273,7 +273,7 @@ mod tests {
                 // A weight continues to add energy.
                 let is_whole = run.scene.projectile.weight || (sum - 1.0).abs() < 1e-12;
                 assert!(is_whole, "{text}: {sum}");
-                for (name, value_j) in energies.parts() {
+                for ([name, _], value_j) in energies.parts() {
                     assert!(value_j > -1e-6 * initial_j, "{text}: {name} {value_j} J");
                 }
             }

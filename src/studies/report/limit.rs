@@ -82,13 +82,13 @@ pub fn remarks(report: &LimitReport) -> Vec<Remark> {
     if let Some(law) = report.recht_ipson {
         let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
         let text = format!("a {a}, p 2, same v_bl; RMS error {misfit} m/s");
-        remarks.push(Remark::new("Recht-Ipson", text));
+        remarks.push(Remark::new(FittedLaw::RechtIpson.name(), text));
     }
     if let Some(law) = report.lambert_jonas {
         let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
         let (limit, misfit) = (velocity(law.limit_m_s, 4), significant(law.misfit_m_s, 2));
         let text = format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s");
-        remarks.push(Remark::new("Lambert-Jonas", text));
+        remarks.push(Remark::new(FittedLaw::LambertJonas.name(), text));
     }
     remarks
 }
@@ -288,8 +288,27 @@ pub fn json(name: &str, report: &LimitReport) -> Value {
     object
 }
 
-/// Returns the chart of residual over impact velocity with a mark at the scene's own velocity; `None` if no shot perforates.
-pub fn residual(report: &LimitReport, own_m_s: f64) -> Option<Chart<'static>> {
+enumeration! {
+    /// Law that is fitted to residual velocities.
+    pub enum FittedLaw in FittedLawRow {
+        /// Name of the law.
+        name: &'static str,
+        /// Initials, for a narrow chart.
+        initials: &'static str,
+    }
+    /// Exponent 2, the limit as found.
+    RechtIpson { name: "Recht-Ipson", initials: "R-I" }
+    /// Exponent and limit fitted, too.
+    LambertJonas { name: "Lambert-Jonas", initials: "L-J" }
+}
+
+/// Returns the chart of residual over impact velocity, with a mark at the scene's own velocity and the laws under these names; `None` if no
+/// shot perforates.
+pub fn residual(
+    report: &LimitReport,
+    own_m_s: f64,
+    name: fn(FittedLaw) -> &'static str,
+) -> Option<Chart<'static>> {
     let limit = report.limit.velocity_m_s();
     let impacts = report.shots.iter().map(|shot| shot.impact_m_s);
     let own = limit.filter(|limit| own_m_s < OWN_IN_VIEW * limit).map(|_| own_m_s);
@@ -314,8 +333,8 @@ pub fn residual(report: &LimitReport, own_m_s: f64) -> Option<Chart<'static>> {
         Curve::points(marker, label, places)
     };
     let curves = [
-        Curve::new('+', "Recht-Ipson", law(report.recht_ipson)).colour(1),
-        Curve::new('x', "Lambert-Jonas", law(report.lambert_jonas)).colour(2),
+        Curve::new('+', name(FittedLaw::RechtIpson), law(report.recht_ipson)).colour(1),
+        Curve::new('x', name(FittedLaw::LambertJonas), law(report.lambert_jonas)).colour(2),
         shots('o', "through", &[Outcome::Perforated]).colour(3),
         shots('s', "stopped", &[Outcome::Arrested, Outcome::Separated]).colour(4),
         shots('m', "moving", &[Outcome::Moving]).colour(4),
@@ -341,7 +360,7 @@ pub fn page(title: &str, report: &LimitReport) -> Page {
     page.space();
     answers(&mut page, report);
     page.space();
-    if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s) {
+    if let Some(chart) = residual(report, report.scene.projectile.velocity_m_s, FittedLaw::name) {
         page.picture(Picture::Chart(chart), SIZE);
     }
     page.space();

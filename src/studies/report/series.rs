@@ -70,6 +70,15 @@ enumeration! {
 }
 
 impl Channel {
+    /// Returns the title without the horizontal axis, for a chart that labels it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::MountForce => Self::MountForceOverTime.title(),
+            Self::Stiffness => "Stiffness",
+            _ => self.title(),
+        }
+    }
+
     /// Returns `true` if the horizontal axis is time; `false` if it is the plate displacement.
     pub fn is_over_time(self) -> bool {
         matches!(self.source(), Source::Time(_) | Source::SceneTime(_))

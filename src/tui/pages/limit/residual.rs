@@ -8,7 +8,7 @@ use crate::tui::widgets::text::fitting;
 use crate::worker::studies::LimitSearch;
 use cmra_engine::model::units;
 use cmra_studies::report::Remark;
-use cmra_studies::report::limit::{headlines, remarks, residual, taken_to_hold};
+use cmra_studies::report::limit::{FittedLaw, headlines, remarks, residual, taken_to_hold};
 use cmra_studies::report::monte_carlo::{perforation, v50};
 use cmra_studies::study::limit::Limit;
 use cmra_studies::study::monte_carlo;
@@ -135,7 +135,9 @@ fn write(lines: &[Remark], area: Rect, canvas: &mut Canvas<'_>) {
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.pages.limit;
     let found = tab.report.result.as_ref();
-    let drawn = found.and_then(|it| residual(it, limit_shot_m_s(app)));
+    // The text beside the chart gives the full names of the laws.
+    let name = if area.width < 56 { FittedLaw::initials } else { FittedLaw::name };
+    let drawn = found.and_then(|it| residual(it, limit_shot_m_s(app), name));
     let Some(mut chart) = drawn else {
         let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
         let inner = frame.draw(area, canvas);
@@ -145,16 +147,8 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
     };
     let old = limit_is_old(app);
-    for curve in &mut chart.curves {
-        if old {
-            curve.emphasis = Emphasis::Stale;
-        }
-        // The text beside the chart gives the full names of the laws.
-        match (area.width < 56, &*curve.label) {
-            (true, "Recht-Ipson") => curve.label = "R-I".into(),
-            (true, "Lambert-Jonas") => curve.label = "L-J".into(),
-            (_, _) => {}
-        }
+    if old {
+        chart.curves.iter_mut().for_each(|curve| curve.emphasis = Emphasis::Stale);
     }
     let of = if old { ", of another scene" } else { "" };
     chart.title = format!("Residual velocity{of}").into();

@@ -154,6 +154,9 @@ const NUMBER: usize = 9;
 /// Minimum columns for the bar of the total energy in one row; narrower panes use two rows if they fit.
 const BAR_LEAST: usize = 12;
 
+/// Names of a part of the energy, long and short, and its value, J.
+type Part = ([&'static str; 2], f64);
+
 /// Returns the energies as names, bars of a common scale and numbers, in one or two rows.
 fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> Vec<String> {
     let Some(energies) = Energies::at(run, t_s) else { return Vec::new() };
@@ -170,14 +173,14 @@ fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> V
     };
     // Omit parts that the scene cannot have.
     let last = Energies::at(run, f64::INFINITY).unwrap_or_default().parts();
-    let is_used = |(at, part): &(usize, (&'static str, f64))| {
+    let is_used = |(at, part): &(usize, Part)| {
         let ever_j = larger(part.1.abs(), last[*at].1.abs());
         *at < 2 || (*at == 2 && run.scene.is_sprung()) || ever_j > 1e-6 * whole_j
     };
     let parts = energies.parts().into_iter().enumerate().filter(is_used);
-    let parts: Vec<(&str, f64)> = parts.map(|(_, part)| part).collect();
-    let taken = |parts: &[(&str, f64)]| {
-        parts.iter().map(|part| part.0.len() + NUMBER).sum::<usize>().saturating_sub(2)
+    let parts: Vec<Part> = parts.map(|(_, part)| part).collect();
+    let taken = |parts: &[Part]| {
+        parts.iter().map(|part| part.0[0].len() + NUMBER).sum::<usize>().saturating_sub(2)
     };
     let unit = format!("{}J", prefix.letter);
     let lead = format!("energy [{unit}]  ");
@@ -188,21 +191,19 @@ fn bars(run: &Run, t_s: f64, width: usize, has_two: bool, glyphs: GlyphSet) -> V
     let room = width.saturating_sub(widest + lead.len());
     if room == 0 {
         // To save space omit zero parts first, then shorten names; numbers are not shortened.
-        let text = |parts: &[(&str, f64)], gap: &str| {
-            let words = parts.iter().map(|(name, value_j)| format!("{name} {}", number(*value_j)));
+        let text = |parts: &[Part], of: usize, gap: &str| {
+            let words =
+                parts.iter().map(|(name, value_j)| format!("{} {}", name[of], number(*value_j)));
             format!("{unit}: {}", words.collect::<Vec<_>>().join(gap))
         };
-        let is_some = |part: &&(&str, f64)| number(part.1) != "0";
-        let some: Vec<_> = parts.iter().filter(is_some).copied().collect();
-        let short = text(&some, " ").replace("projectile", "shot").replace("interface", "grip");
-        return vec![fitting(
-            [text(&parts, "  "), text(&some, "  "), text(&some, " "), short],
-            width,
-        )];
+        let is_some = |part: &&Part| number(part.1) != "0";
+        let some: Vec<Part> = parts.iter().filter(is_some).copied().collect();
+        let texts = [(&parts, 0, "  "), (&some, 0, "  "), (&some, 0, " "), (&some, 1, " ")];
+        return vec![fitting(texts.map(|(parts, of, gap)| text(parts, of, gap)), width)];
     }
     let bar = if glyphs == GlyphSet::Ascii { "#" } else { "█" };
-    let line = |(index, row): (usize, &&[(&str, f64)])| {
-        let part = |(name, value_j): &(&str, f64)| {
+    let line = |(index, row): (usize, &&[Part])| {
+        let part = |([name, _], value_j): &Part| {
             let cells = ((value_j / whole_j).clamp(0.0, 1.0) * room as f64).round();
             let cells = whole_below(cells, room).unwrap_or(room);
             let gap = if cells > 0 { " " } else { "" };

@@ -16,7 +16,7 @@ use cmra_studies::study::envelope;
 /// Returns the name of a chart with the number of the current run, for this width.
 pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
     let quantity = app.pages.run.charts.quantities[chart];
-    let name = quantity.title().trim_end_matches(" over displacement");
+    let name = quantity.name();
     let window = match app.pages.run.charts.windows[chart] {
         Window::Whole if quantity.is_over_time() => ", whole",
         Window::Whole | Window::Contact => "",
@@ -34,9 +34,9 @@ pub(super) fn title(app: &App, chart: usize, room: usize) -> String {
             vec![format!("{name}, {peak}"), format!("Force, {peak}")]
         }
         Channel::PlateDisplacement => {
-            let travel = travel(run);
-            let short = travel.trim_start_matches("greatest ");
-            vec![format!("{name}: {travel}"), format!("Plate: {travel}"), format!("Plate {short}")]
+            let (kind, value) = travel(run);
+            let travel = format!("{kind}{value}");
+            vec![format!("{name}: {travel}"), format!("Plate: {travel}"), format!("Plate {value}")]
         }
         _ => {
             let most = engineering(greatest(quantity, run), quantity.unit());
@@ -186,17 +186,18 @@ fn peak(run: &Run) -> String {
     )
 }
 
-fn travel(run: &Run) -> String {
+/// Describes the greatest displacement of the plate: the word `greatest`, if it is known or looked for, and the rest.
+fn travel(run: &Run) -> (&'static str, String) {
     let stroke = run.stroke_m().filter(|_| run.scene.start_m() != 0.0);
     let stroke =
         stroke.map_or_else(String::new, |stroke| format!(", stroke {}", engineering(stroke, "m")));
     match (run.max_plate_displacement_m, run.at_least.plate_displacement_m) {
-        (Some(most), _) => format!("greatest {}{stroke}", engineering(most, "m")),
-        (None, Some(least)) => format!("at least {}", engineering(least, "m")),
+        (Some(most), _) => ("greatest ", engineering(most, "m") + &stroke),
+        (None, Some(least)) => ("", format!("at least {}", engineering(least, "m"))),
         (None, None) if is_free(run) => {
             let last = run.series.last().map_or(0.0, |last| last.plate_velocity_m_s);
-            format!("leaves at {}, no greatest", speed(last))
+            ("", format!("leaves at {}, no greatest", speed(last)))
         }
-        (None, None) => "greatest not known".to_owned(),
+        (None, None) => ("greatest ", "not known".to_owned()),
     }
 }
