@@ -65,17 +65,17 @@ const PANES: &[PaneSpec] = &[
 
 /// Creates a page and the command that shows it.
 const fn page(at: usize) -> PageSpec {
-    PageSpec { name: STUDIES[at].title, panes: &[SETUP, RESULTS] }
+    PageSpec { name: state::Page::ALL[at].title(), panes: &[SETUP, RESULTS] }
 }
 
 const fn command(at: usize) -> Command {
-    let page = &STUDIES[at];
-    Command::new(CommandTarget::Show(RESULTS, Some(at)), page.title, page.synonyms)
+    let page = state::Page::ALL[at];
+    Command::new(CommandTarget::Show(RESULTS, Some(at)), page.title(), page.study().synonyms)
 }
 
 const PAGES: &[PageSpec; state::Page::COUNT] = &[page(0), page(1), page(2), page(3)];
 
-const COMMANDS: &[Command] = &[
+const COMMANDS: &[Command; 1 + state::Page::COUNT] = &[
     Command::new(CommandTarget::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
     command(0),
     command(1),
@@ -83,10 +83,8 @@ const COMMANDS: &[Command] = &[
     command(3),
 ];
 
-/// Study of a page: its names, request and setup rows.
+/// Study of a page: its synonyms, file, setup rows and request.
 struct Study {
-    /// Subject, in two or three words.
-    title: &'static str,
     /// Synonyms for the search.
     synonyms: &'static str,
     /// Proposed file name of an export.
@@ -97,18 +95,14 @@ struct Study {
     request: fn(&App) -> Result<SearchRequest, String>,
 }
 
-/// Studies, in the order of [`state::Page`].
-const STUDIES: [Study; state::Page::COUNT] =
-    [seek::STUDY, front::STUDY, sensitivity::STUDY, monte_carlo::STUDY];
-
 impl state::Page {
-    fn study(self) -> &'static Study {
-        &STUDIES[self as usize]
-    }
-
-    /// Returns the subject, in two or three words.
-    pub fn title(self) -> &'static str {
-        self.study().title
+    const fn study(self) -> &'static Study {
+        match self {
+            Self::Seek => &seek::STUDY,
+            Self::Front => &front::STUDY,
+            Self::Sensitivity => &sensitivity::STUDY,
+            Self::MonteCarlo => &monte_carlo::STUDY,
+        }
     }
 }
 

@@ -18,7 +18,6 @@ use cmra_studies::study::sweep;
 use cmra_studies::study::validity::counted;
 
 pub(super) const STUDY: Study = Study {
-    title: "Pareto front",
     synonyms: "optimise optimize best designs knee trade-off",
     file: "front.csv",
     rows,

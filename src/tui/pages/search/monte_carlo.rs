@@ -21,7 +21,6 @@ const SHOWN: [&str; 3] = ["q05", "q50", "q95"];
 const COLUMNS: [&str; 5] = ["output", SHOWN[0], SHOWN[1], SHOWN[2], "nominal"];
 
 pub(super) const STUDY: Study = Study {
-    title: "Monte Carlo",
     synonyms: "uncertainty scatter spread distribution histogram",
     file: "montecarlo.csv",
     rows,

@@ -16,7 +16,6 @@ use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::validity;
 
 pub(super) const STUDY: Study = Study {
-    title: "Sensitivity",
     synonyms: "tornado importance ranking one at a time",
     file: "sensitivity.csv",
     rows,

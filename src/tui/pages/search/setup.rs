@@ -1,7 +1,6 @@
 //! Setup of a search, as rows that can be stepped and edited. No drawing.
 
 use crate::tui::pages::page::prelude::*;
-use crate::tui::pages::search::STUDIES;
 use crate::tui::pages::search::state::{Bound, Page, Row};
 use crate::tui::widgets::axis::{FIELD_DIGITS, Part, meaning, numeric, over};
 use crate::tui::widgets::form::{FieldQuantity, Form, FormRow, quantity_meaning};
@@ -67,7 +66,7 @@ impl App {
 
     /// Returns the rows of a page's setup, headings included.
     fn search_rows(&self, page: Page) -> Vec<Row> {
-        (STUDIES[page as usize].rows)(self)
+        (page.study().rows)(self)
     }
 
     /// Returns a row for each variable that can be varied.
@@ -159,7 +158,7 @@ impl App {
 
     /// Builds the request of a page's setup.
     pub fn search_request(&self, page: Page) -> Result<SearchRequest, String> {
-        (STUDIES[page as usize].request)(self)
+        (page.study().request)(self)
     }
 
     /// Returns the varied variables; empty for the default ones, which the command omits.

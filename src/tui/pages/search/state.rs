@@ -8,6 +8,7 @@ use crate::tui::keymap::{Pane, Tab};
 use crate::tui::widgets::axis::Part;
 use crate::worker::studies::{SearchAnswer, SearchRequest};
 use cmra_engine::model::scene::SweepAxis;
+use cmra_studies::enumeration;
 use cmra_studies::study::monte_carlo::{self, DEFAULT_DEVIATION, DEFAULT_SAMPLES};
 use cmra_studies::study::quantities;
 use cmra_studies::study::search::front::{self, Constraint, DEFAULT, SAMPLES};
@@ -18,19 +19,25 @@ use cmra_studies::study::sweep::{Axis, COUNTS};
 pub const SETUP: Pane = Pane::new(Tab::Search, 0);
 pub const RESULTS: Pane = Pane::new(Tab::Search, 1);
 
-/// Page of the tab: a study.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Page {
+enumeration! {
+    /// Page of the tab.
+    #[derive(Default)]
+    pub enum Page in PageRow {
+        /// Subject, in two or three words.
+        title: &'static str,
+    }
+    /// Values of a variable that reach a goal.
     #[default]
-    Seek,
-    Front,
-    Sensitivity,
-    MonteCarlo,
+    Seek { title: "Goal seek" }
+    /// Best designs.
+    Front { title: "Pareto front" }
+    /// Effect of each variable.
+    Sensitivity { title: "Sensitivity" }
+    /// Spread of results.
+    MonteCarlo { title: "Monte Carlo" }
 }
 
 impl Page {
-    /// All pages, in order.
-    pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
     /// Number of pages.
     pub const COUNT: usize = Self::ALL.len();
 
