@@ -87,7 +87,7 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
     let (name, how) = text.split_once('=').ok_or_else(|| {
         refuse("write NAME=DISTRIBUTION, for example v_i=normal:2% or h=uniform:24mm..27mm")
     })?;
-    Tolerance::parse(name.trim(), how, scene).map_err(|why| refuse(&why))
+    Tolerance::parse(name.trim(), how, scene).map_err(|why| refuse(&why.to_string()))
 }
 
 /// Runs the samples; exit status 1 if a sample failed, or after an interrupt.

@@ -188,7 +188,7 @@ fn read_setting(text: &str) -> Result<(), String> {
 
 fn read_tolerance(text: &str) -> Result<(), String> {
     let (name, how) = text.split_once('=').ok_or("no assignment")?;
-    Tolerance::parse(name, how, &Scene::default()).map(drop)
+    Tolerance::parse(name, how, &Scene::default()).map(drop).map_err(|error| error.to_string())
 }
 
 fn read_points(path: &Path, text: &str) -> Result<(), String> {

@@ -280,3 +280,91 @@ pub enum QuantityError {
         instead: &'static str,
     },
 }
+
+/// Why the distribution of an input is refused.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum ToleranceError {
+    /// The input is refused.
+    #[error(transparent)]
+    Axis(#[from] StudyError),
+    /// The scene has no value for the centre.
+    #[error("{symbol} is absent in the scene: write uniform:LO..HI")]
+    Absent {
+        /// Symbol of the input.
+        symbol: &'static str,
+    },
+    /// The centre has no logarithm.
+    #[error("{symbol} = {value}: a lognormal needs a value above 0; write normal or uniform")]
+    NoLogarithm {
+        /// Symbol of the input.
+        symbol: &'static str,
+        /// Value of the scene.
+        value: String,
+    },
+    /// The ends of a uniform distribution are not `LO..HI`.
+    #[error("write {symbol}=uniform:LO..HI")]
+    NoEnds {
+        /// Symbol of the input.
+        symbol: &'static str,
+    },
+    /// An end cannot be read.
+    #[error(transparent)]
+    End(#[from] AxisProblem),
+    /// The keyword is that of no distribution.
+    #[error("`{word}` is not a distribution: write normal:2%, lognormal:5% or uniform:LO..HI")]
+    Unknown {
+        /// Keyword as it was written.
+        word: String,
+    },
+    /// The width cannot be read.
+    #[error(transparent)]
+    Unreadable(#[from] UnitError),
+    /// The width is not positive.
+    #[error(
+        "the width `{width}`{} must be greater than 0: write for example 2% or a value with a unit",
+        if *is_of_zero { " (a percentage of 0)" } else { "" }
+    )]
+    Width {
+        /// Width as it was written.
+        width: String,
+        /// Whether it is a percentage of 0.
+        is_of_zero: bool,
+    },
+    /// The ends are equal or reversed.
+    #[error("{low} to {high}: the first end must be the lower one")]
+    Reversed {
+        /// First end.
+        low: String,
+        /// Second end.
+        high: String,
+    },
+    /// No value between the ends is allowed.
+    #[error("{low} to {high} holds nothing that is allowed: {meaning} must be {allowed}")]
+    Impossible {
+        /// First end.
+        low: String,
+        /// Second end.
+        high: String,
+        /// Meaning of the variable.
+        meaning: &'static str,
+        /// Allowed values.
+        allowed: String,
+    },
+}
+
+/// Why a goal or a bound of a quantity is refused.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum TargetError {
+    /// The text is no goal.
+    #[error("write QUANTITY=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")]
+    NoGoal,
+    /// The text is no bound.
+    #[error("write QUANTITY<=VALUE or QUANTITY>=VALUE, for example 'stroke_m<=50mm'")]
+    NoBound,
+    /// The quantity is refused.
+    #[error(transparent)]
+    Quantity(#[from] QuantityError),
+    /// The value cannot be read.
+    #[error(transparent)]
+    Unreadable(#[from] UnitError),
+}

@@ -27,6 +27,7 @@ use crate::tui::widgets::form::{Form, quantity_after};
 use crate::tui::widgets::layout::{NARROW, setup_width};
 use crate::tui::widgets::value_steps::Input;
 use crate::worker::studies::SearchRequest;
+use cmra_studies::study::error::TargetError;
 use cmra_studies::study::monte_carlo::SAMPLES;
 use cmra_studies::study::quantities::{Needs, named};
 use cmra_studies::study::search::front::{Constraint, SAMPLES as DESIGNS};
@@ -358,8 +359,9 @@ fn read_number(setup: &mut Setup, row: Row, text: &str) -> Result<(), String> {
     match row {
         Row::Bounds => {
             let bounds = text.split(',').filter(|_| text != "none");
-            let bounds = bounds.map(Constraint::parse_in_shown_unit);
-            setup.subject_to = bounds.collect::<Result<_, _>>()?;
+            let bounds: Result<_, TargetError> =
+                bounds.map(Constraint::parse_in_shown_unit).collect();
+            setup.subject_to = bounds.map_err(|error| error.to_string())?;
         }
         Row::Designs => setup.designs = whole(text, &DESIGNS)?,
         Row::Percent => {

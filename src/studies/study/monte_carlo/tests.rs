@@ -113,7 +113,7 @@ fn tolerances_are_read_as_people_write_them() {
         ("gama", "normal:2%", "did you mean"),
         ("x_stop", "normal:1mm", "absent"),
     ] {
-        let error = read(name, text).unwrap_err();
+        let error = read(name, text).unwrap_err().to_string();
         assert!(error.contains(told), "{name} {text}: {error}");
     }
 }

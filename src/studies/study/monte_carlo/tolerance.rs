@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{Axis, Number, Random, Scene, Spacing, StudyError, Variable};
+use crate::study::error::ToleranceError;
 use crate::study::sweep::axis::{ends, numeric};
 use cmra_engine::model::units::{self, Bare, significant};
 
@@ -80,13 +81,10 @@ impl Tolerance {
     }
 
     /// Parses `normal:2%`, `normal:0.5mm` and `lognormal:5%`, centred on the scene's own value, or `uniform:24mm..27mm`.
-    pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
-        let (variable, number) = numeric(name).map_err(|error| error.to_string())?;
+    pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, ToleranceError> {
+        let (variable, number) = numeric(name)?;
         let symbol = variable.symbol;
-        let own = || {
-            let absent = || format!("{symbol} is absent in the scene: write uniform:LO..HI");
-            (number.get)(scene).ok_or_else(absent)
-        };
+        let own = || (number.get)(scene).ok_or(ToleranceError::Absent { symbol });
         let (kind, rest) = text.split_once(':').unwrap_or(("normal", text));
         let distribution = match kind.trim() {
             "normal" => {
@@ -97,25 +95,17 @@ impl Tolerance {
                 let median = own()?;
                 if median <= 0.0 {
                     let value = units::shortest(median);
-                    return Err(format!(
-                        "{symbol} = {value}: a lognormal needs a value above 0; write normal or uniform"
-                    ));
+                    return Err(ToleranceError::NoLogarithm { symbol, value });
                 }
                 Distribution(Kind::LogNormal, (median, width(rest, number, median)? / median))
             }
             "uniform" => {
-                let form = || format!("write {symbol}=uniform:LO..HI");
-                let (low, high) = rest.split_once("..").ok_or_else(form)?;
-                let ends = ends(low, high, number.quantity, Bare::Si);
-                let ends = ends.map_err(|problem| problem.to_string())?;
+                let (low, high) = rest.split_once("..").ok_or(ToleranceError::NoEnds { symbol })?;
+                let ends = ends(low, high, number.quantity, Bare::Si)?;
                 check_ends(ends, variable, number)?;
                 Distribution(Kind::Uniform, ends)
             }
-            other => {
-                return Err(format!(
-                    "`{other}` is not a distribution: write normal:2%, lognormal:5% or uniform:LO..HI"
-                ));
-            }
+            word => return Err(ToleranceError::Unknown { word: word.to_owned() }),
         };
         Ok(Self { variable, number, distribution })
     }
@@ -137,7 +127,7 @@ impl Tolerance {
 }
 
 /// Parses a deviation: a fraction of the scene's own value, or a value with a unit.
-fn width(text: &str, number: &Number, nominal: f64) -> Result<f64, String> {
+fn width(text: &str, number: &Number, nominal: f64) -> Result<f64, ToleranceError> {
     let text = text.trim();
     let (value, quantity, whole) = match text.strip_suffix('%') {
         Some(percent) => (percent, units::Dimension::Number, nominal.abs() / 100.0),
@@ -148,21 +138,25 @@ fn width(text: &str, number: &Number, nominal: f64) -> Result<f64, String> {
     if width > 0.0 {
         return Ok(width);
     }
-    let why = if text.ends_with('%') && nominal == 0.0 { " (a percentage of 0)" } else { "" };
-    Err(format!(
-        "the width `{text}`{why} must be greater than 0: write for example 2% or a value with a unit"
-    ))
+    let is_of_zero = text.ends_with('%') && nominal == 0.0;
+    Err(ToleranceError::Width { width: text.to_owned(), is_of_zero })
 }
 
-fn check_ends((low, high): (f64, f64), variable: &Variable, number: &Number) -> Result<(), String> {
-    let ends = format!("{} to {}", units::shortest(low), units::shortest(high));
-    if low >= high {
-        return Err(format!("{ends}: the first end must be the lower one"));
+fn check_ends(
+    (low, high): (f64, f64),
+    variable: &Variable,
+    number: &Number,
+) -> Result<(), ToleranceError> {
+    let is_reversed = low >= high;
+    let mut within = [low, high, 0.5 * (low + high)].into_iter();
+    let is_possible = within.any(|value| number.allowed.contains(value));
+    let [low, high] = [low, high].map(units::shortest);
+    if is_reversed {
+        return Err(ToleranceError::Reversed { low, high });
     }
-    let allowed = &number.allowed;
-    if ![low, high, 0.5 * (low + high)].into_iter().any(|value| allowed.contains(value)) {
-        let (meaning, rule) = (variable.meaning, allowed.describe(number.quantity));
-        return Err(format!("{ends} holds nothing that is allowed: {meaning} must be {rule}"));
+    if is_possible {
+        return Ok(());
     }
-    Ok(())
+    let (meaning, allowed) = (variable.meaning, number.allowed.describe(number.quantity));
+    Err(ToleranceError::Impossible { low, high, meaning, allowed })
 }

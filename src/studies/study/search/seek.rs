@@ -10,6 +10,7 @@ use std::str::FromStr;
 
 use crate::study::context::Context;
 use crate::study::envelope::Check;
+use crate::study::error::TargetError;
 use crate::study::quantities::{Quantity, named};
 use crate::study::sweep::{Axis, Plan, PointOutcome, StudyError};
 use crate::study::validity::DesignValidity;
@@ -51,13 +52,11 @@ pub struct Goal {
 
 /// Parses `QUANTITY=VALUE`, SI or with a unit.
 impl FromStr for Goal {
-    type Err = String;
+    type Err = TargetError;
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (name, value) = text
-            .split_once('=')
-            .ok_or("write QUANTITY=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")?;
-        let measure = named(name.trim()).map_err(|error| error.to_string())?;
+    fn from_str(text: &str) -> Result<Self, TargetError> {
+        let (name, value) = text.split_once('=').ok_or(TargetError::NoGoal)?;
+        let measure = named(name.trim())?;
         Ok(Self { measure, target: measure.parse(value)? })
     }
 }

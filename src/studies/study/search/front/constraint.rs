@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::study::error::TargetError;
 use crate::study::quantities::{Quantity, named};
 use cmra_engine::model::units::{self, UnitError};
 
@@ -19,9 +20,9 @@ pub struct Constraint {
 
 /// Parses `QUANTITY<=VALUE` or `QUANTITY>=VALUE`, SI or with a unit.
 impl FromStr for Constraint {
-    type Err = String;
+    type Err = TargetError;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, TargetError> {
         Self::parse_with(text, Quantity::parse)
     }
 }
@@ -35,23 +36,20 @@ impl fmt::Display for Constraint {
 
 impl Constraint {
     /// Parses a constraint whose bare number is in the unit on screens: `stroke_m<=50` is 50 mm.
-    ///
-    /// # Errors
-    /// The reason if the sign, the quantity or the value is not valid.
-    pub fn parse_in_shown_unit(text: &str) -> Result<Self, String> {
+    pub fn parse_in_shown_unit(text: &str) -> Result<Self, TargetError> {
         Self::parse_with(text, |measure, value| measure.parse_in(value, measure.shown_unit()))
     }
 
     fn parse_with(
         text: &str,
         parse: impl Fn(&Quantity, &str) -> Result<f64, UnitError>,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, TargetError> {
         let split = |sign: &str| text.split_once(sign);
         let (name, value, at_most) = split("<=")
             .map(|(name, value)| (name, value, true))
             .or_else(|| split(">=").map(|(name, value)| (name, value, false)))
-            .ok_or("write QUANTITY<=VALUE or QUANTITY>=VALUE, for example 'stroke_m<=50mm'")?;
-        let measure = named(name.trim()).map_err(|error| error.to_string())?;
+            .ok_or(TargetError::NoBound)?;
+        let measure = named(name.trim())?;
         let bound = parse(measure, value)?;
         Ok(Self { measure, at_most, bound })
     }
