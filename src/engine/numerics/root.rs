@@ -1,5 +1,8 @@
 //! Root finding: in a bracket, or from an initial guess.
 
+/// Maximum number of iterations. At least one in six halves the bracket, so that a root of 1e-40 of its width converges.
+const ROUNDS_MAX: usize = 1000;
+
 /// Returns the root of a function between `a` and `b` to full precision of x, by the Illinois method.
 ///
 /// A bisection follows if three iterations have not halved the bracket. If the signs at `a` and `b` are equal, returns the end with the
@@ -15,7 +18,7 @@ pub fn bracketed_root(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> 
     let mut halved = 0.5 * (b - a).abs();
     // Whether the previous iteration replaced `b`. The value at an end that is retained twice is halved.
     let mut moved_b = None;
-    for round in 0..200 {
+    for round in 0..ROUNDS_MAX {
         let secant = (a * fb - b * fa) / (fb - fa);
         let inside = (secant - a) * (secant - b) < 0.0;
         let width = (b - a).abs();
@@ -66,5 +69,15 @@ mod tests {
         assert!((cube - 2f64.cbrt()).abs() < 1e-15 && count < 30, "{cube} {count}");
         let steep = bracketed_root(0.0, 1.0, |x| (x - 0.3) * 1e12);
         assert!((steep - 0.3).abs() < 1e-15);
+    }
+
+    /// Roots are relative to themselves, however small a part of the bracket they are.
+    #[test]
+    fn a_root_far_below_the_width_of_its_bracket_is_found() {
+        for exponent in [-3, -10, -15, -20, -40] {
+            let exact = 3.0 * 10f64.powi(exponent);
+            let found = bracketed_root(0.0, 0.03, |x| exact * exact - x * x);
+            assert!((found / exact - 1.0).abs() < 1e-15, "{found:e} for {exact:e}");
+        }
     }
 }
