@@ -11,7 +11,9 @@ use crate::report::verdict;
 use crate::study::envelope::{fused_stop_hits, warnings};
 use crate::study::quantities::{Quantity, QuantityFlag, find, of_runs};
 use crate::study::verdict::Verdict;
-use cmra_engine::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample, StackRun};
+use cmra_engine::model::run::{
+    EnergyLedger, EstimateBasis, Event, EventKind, Outcome, Run, Sample, StackRun,
+};
 use cmra_engine::model::scene::{Scene, Stack};
 use cmra_engine::model::units::fixed_significant;
 use cmra_engine::model::variables::{self, VARIABLES, Variable};
@@ -64,17 +66,41 @@ pub fn csv(runs: &[NamedRun]) -> String {
     table.field("event", event).csv()
 }
 
+/// Maximum number of events that a row lists in order. More are counted by kind, because spreadsheets cut fields of more than 32,767
+/// characters; the JSON object has every event.
+const LISTED_MAX: usize = 16;
+
 /// Assigns each event to the first row at or after its time, else to the last row.
 fn placed(samples: &[Sample], events: &[Event]) -> Vec<(usize, String)> {
-    let mut rows: Vec<(usize, String)> = Vec::new();
+    let mut rows: Vec<(usize, Vec<EventKind>)> = Vec::new();
     for event in events.iter().filter(|_| !samples.is_empty()) {
         let at = samples.partition_point(|sample| sample.t_s < event.t_s).min(samples.len() - 1);
         match rows.last_mut() {
-            Some((row, words)) if *row >= at => *words = format!("{words}; {}", event.kind.words()),
-            _ => rows.push((at, event.kind.words().to_owned())),
+            Some((row, kinds)) if *row >= at => kinds.push(event.kind),
+            _ => rows.push((at, vec![event.kind])),
         }
     }
-    rows
+    rows.into_iter().map(|(row, kinds)| (row, listed(&kinds))).collect()
+}
+
+/// Formats the events of a row: in order, or with the number of each kind if there are many.
+fn listed(kinds: &[EventKind]) -> String {
+    if kinds.len() <= LISTED_MAX {
+        let words: Vec<&str> = kinds.iter().map(|kind| kind.words()).collect();
+        return words.join("; ");
+    }
+    let mut counts: Vec<(EventKind, usize)> = Vec::new();
+    for kind in kinds {
+        match counts.iter_mut().find(|(known, _)| known == kind) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((*kind, 1)),
+        }
+    }
+    let words = counts.into_iter().map(|(kind, count)| match count {
+        1 => kind.words().to_owned(),
+        _ => format!("{} ({count} times)", kind.words()),
+    });
+    words.collect::<Vec<_>>().join("; ")
 }
 
 /// Returns the table of the results of runs of a named scene, one row each.
@@ -292,7 +318,7 @@ fn all_variables(scene: &Scene) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cmra_engine::model::run::{ContactMode, EventKind, RunWarning};
+    use cmra_engine::model::run::{ContactMode, RunWarning};
 
     fn sample(t_s: f64, penetration_m: f64, mode: ContactMode) -> Sample {
         Sample { t_s, mode, penetration_m, ..Sample::default() }
@@ -317,6 +343,25 @@ mod tests {
         .map(|(t_s, kind)| Event { t_s, kind });
         let (first, last) = ("projectile first stops; nose buried", "greatest displacement");
         assert_eq!(placed(&jump(), &events), [(1, first.to_owned()), (3, last.to_owned())]);
+    }
+
+    /// A spreadsheet cuts a field of more than 32,767 characters, and some readers refuse one of more than 131,072.
+    #[test]
+    fn many_events_of_a_row_are_counted() {
+        let event = |kind, at: usize| Event { t_s: 1.0 + at as f64 * 1e-6, kind };
+        let swings = |count: usize| -> Vec<Event> {
+            let pair = [EventKind::Separation, EventKind::Recontact];
+            let pairs = pair.into_iter().cycle().enumerate().map(|(at, kind)| event(kind, at + 1));
+            [event(EventKind::FirstArrest, 0)].into_iter().chain(pairs.take(count)).collect()
+        };
+        let text = |count: usize| placed(&jump(), &swings(count)).pop().unwrap();
+        let few = "separation; contact again; separation; contact again";
+        assert_eq!(text(4), (3, few.to_owned()));
+        let many = "separation (10000 times); contact again (10000 times)";
+        assert_eq!(text(20_000), (3, many.to_owned()));
+        let odd = [swings(20_000), vec![event(EventKind::StopHit, 30_000)]].concat();
+        assert_eq!(placed(&jump(), &odd)[1].1, format!("{many}; stop hit"));
+        assert_eq!(placed(&jump(), &odd)[0], (1, "projectile first stops".to_owned()));
     }
     /// An energy balance that does not close is said beside the numbers it belongs to.
     #[test]
