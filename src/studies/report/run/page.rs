@@ -179,8 +179,9 @@ pub fn results(run: &Run) -> Vec<Labelled> {
         || run.outcome == Outcome::Unmeasured;
     let scene = &run.scene;
     // Reason for a missing displacement.
-    let nothing_stops_it =
-        Mechanism::from_scene(scene).is_absent() && scene.mechanism.stop.position_m.is_none();
+    let nothing_stops_it = scene.is_sprung()
+        && Mechanism::from_scene(scene).is_absent()
+        && scene.mechanism.stop.position_m.is_none();
     let none = if nothing_stops_it {
         "none: nothing stops the plate"
     } else {
@@ -474,6 +475,7 @@ mod tests {
         assert!(line("k=0").starts_with("none"));
         assert!(line("k=0 horizon=2ms").ends_with("mm at the horizon, moving on"));
         assert!(line("k=1e5 horizon=2ms").ends_with("mm"));
+        assert_eq!(line("mount=rigid"), "0 m");
     }
 
     #[test]
