@@ -11,6 +11,7 @@ use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables;
+pub(crate) use cmra_oracle::assert_near;
 use serde_json::Value;
 
 /// The default scene with some variables changed: `gamma=2 k=1e5`.
@@ -21,11 +22,6 @@ pub(crate) fn scene(pairs: &str) -> Scene {
 /// A whole run of a scene.
 pub(crate) fn run(scene: Scene) -> Run {
     simulate(&Arc::new(scene), &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap()
-}
-
-#[track_caller]
-pub(crate) fn assert_near(value: f64, exact: f64, tolerance: f64) {
-    assert!((value / exact - 1.0).abs() <= tolerance, "{value} is not {exact} to {tolerance:e}");
 }
 
 /// The program in a directory and an environment of its own: neither those of the tests nor a person's files count.

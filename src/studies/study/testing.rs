@@ -30,8 +30,3 @@ pub(super) fn axes(list: &[(&str, f64, f64)]) -> Vec<Axis> {
 pub(crate) fn run_of(pairs: &str) -> Run {
     run_with(&scene(pairs), Settings::SERIES).unwrap()
 }
-
-/// Asserts that a value is exact to a relative tolerance.
-pub(super) fn assert_near(value: f64, exact: f64, relative: f64) {
-    assert!((value - exact).abs() <= relative * exact.abs(), "{value} is not {exact}");
-}

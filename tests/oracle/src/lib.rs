@@ -7,3 +7,13 @@ mod plug;
 mod springs;
 
 pub use law::{Shot, State};
+
+/// Asserts that a value is exact to a relative tolerance.
+///
+/// # Panics
+/// If it is not.
+#[track_caller]
+pub fn assert_near(value: f64, exact: f64, tolerance: f64) {
+    let is_near = (value - exact).abs() <= tolerance * exact.abs();
+    assert!(is_near, "{value} is not {exact} to {tolerance:e}");
+}

@@ -4,10 +4,10 @@ use super::*;
 use crate::study::context::Context;
 use crate::study::context::never_cancel;
 use crate::study::limit;
-use crate::study::testing::assert_near;
 use crate::study::verdict::{Decision, Verdict};
 use cmra_engine::model::scene::{Core, Nose, Scene};
 use cmra_engine::model::variables::changed;
+use cmra_oracle::assert_near;
 
 fn scene(pairs: &str) -> Scene {
     changed(Scene::default(), &format!("mount=rigid closure=cylindrical {pairs}")).unwrap()

@@ -1,6 +1,5 @@
 //! Goals whose answer is known in closed form.
 
-use crate::study::testing::assert_near;
 use std::f64::consts::PI;
 
 use super::*;
@@ -8,6 +7,7 @@ use crate::study::context::never_cancel;
 use crate::study::sweep::Spacing;
 use cmra_engine::model::run::Outcome;
 use cmra_engine::model::scene::Mount;
+use cmra_oracle::assert_near;
 
 fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Request {
     let over = Axis::new(name, ends, 33, Spacing::Linear).unwrap();
