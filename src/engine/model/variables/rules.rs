@@ -1,6 +1,8 @@
 //! Rules between the values of a scene, and requirements of studies.
 
+use super::Variable;
 use super::error::VariableError;
+use super::names::find;
 use super::table::VARIABLES;
 use crate::model::plug::{Metal, Plug};
 use crate::model::run::plate_name;
@@ -19,6 +21,12 @@ fn require(
     if holds { Ok(()) } else { Err(VariableError::together(keys, otherwise())) }
 }
 
+/// A variable of a scene as errors state it: `x_stop (mechanism.stop.position_m) = -1 m`.
+fn stated(scene: &Scene, key: &str) -> String {
+    let text = |it: &Variable| format!("{} ({key}) = {} {}", it.symbol, it.show(scene), it.unit());
+    find(key).map_or_else(|error| error.to_string(), |it| text(it).trim_end().to_owned())
+}
+
 /// Checks all values and the rules between values, in the order of the table.
 pub fn validate(scene: &Scene) -> Result<(), VariableError> {
     for variable in VARIABLES.iter() {
@@ -34,17 +42,16 @@ fn check_together(scene: &Scene) -> Result<(), VariableError> {
     let start = 0.0 - plate.cocking_m;
     let position = mechanism.stop.position_m.unwrap_or(start);
     require(position >= start, &["mechanism.stop.position_m"], || {
-        let (position, start) = (shortest(position), shortest(start));
         format!(
-            "x_stop (mechanism.stop.position_m) = {position} m lies behind the plate's start at -d = {start} m: it must be \
-             {start} m or more; move the stop or reduce d"
+            "{} lies behind the plate's start at -d = {start} m: it must be {start} m or more; move the stop or reduce d",
+            stated(scene, "mechanism.stop.position_m"),
+            start = shortest(start)
         )
     })?;
     require(scene.closing_velocity_m_s() > 0.0, &["plate.velocity_m_s"], || {
         format!(
-            "w_0 (plate.velocity_m_s) = {} m/s takes the plate away before the projectile reaches it: it must be below \
-             v_i / cos(theta) = {} m/s; reduce w_0 or raise v_i",
-            shortest(plate.velocity_m_s),
+            "{} takes the plate away before the projectile reaches it: it must be below v_i / cos(theta) = {} m/s; reduce w_0 or raise v_i",
+            stated(scene, "plate.velocity_m_s"),
             significant(projectile.velocity_m_s / scene.cos_obliquity(), 6)
         )
     })?;
@@ -55,11 +62,10 @@ fn check_together(scene: &Scene) -> Result<(), VariableError> {
         lumped.is_none_or(|(load, unload)| unload >= load),
         &["contact.unload_stiffness_n_m"],
         || {
-            let (load, unload) = lumped.unwrap_or_default();
-            let (load, unload) = (shortest(load), shortest(unload));
             format!(
-                "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
-             more than it took; it must be {load} N/m or more, or `auto`"
+                "{} is below k_load = {load} N/m: the interface would give back more than it took; it must be {load} N/m or more, or `auto`",
+                stated(scene, "contact.unload_stiffness_n_m"),
+                load = shortest(lumped.unwrap_or_default().0)
             )
         },
     )?;
@@ -70,9 +76,9 @@ fn check_together(scene: &Scene) -> Result<(), VariableError> {
             &["contact.model", "mechanism.spring.kind"],
             || {
                 format!(
-                    "model (contact.model) = appendix needs a power law, and {} is not one: set model = hydrodynamic, or \
-                 spring = power-law, combine = alone, own_mass = ignored",
-                    described(mechanism)
+                    "{} needs a power law, and {} is not one: set model = hydrodynamic, or spring = power-law, combine = alone, own_mass = ignored",
+                    stated(scene, "contact.model"),
+                    described(scene)
                 )
             },
         )?;
@@ -86,16 +92,18 @@ fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target_in_effect();
     let is_cavity = closure == Closure::Cavity;
     require(!(is_cavity && dishing), &["target.closure", "target.dishing"], || {
-        "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
-         material that holds it back: set dishing = off, or closure = double-yield"
-            .to_owned()
+        format!(
+            "{} with dishing (target.dishing) = on corrects twice, for the bulge and for the material that holds it back: set dishing = off, \
+             or closure = double-yield",
+            stated(scene, "target.closure")
+        )
     })?;
     let is_stiff = |least_pa: f64, what: &str| {
         require(modulus_pa > least_pa, &["target.modulus_pa", "target.yield_pa"], || {
             format!(
-                "E (target.modulus_pa) = {} Pa is not greater than {what} = {} Pa: cavity expansion needs an elastic body; for \
-                 steel E is about 2e11 Pa, for aluminium 7e10 Pa",
-                shortest(modulus_pa),
+                "{} is not greater than {what} = {} Pa: cavity expansion needs an elastic body; for steel E is about 2e11 Pa, for aluminium \
+                 7e10 Pa",
+                stated(scene, "target.modulus_pa"),
                 significant(least_pa, 6)
             )
         })
@@ -111,11 +119,13 @@ fn check_closure(scene: &Scene) -> Result<(), VariableError> {
 
 /// Checks that a nose that shears out a plug has the strength of the metal, a plug law, and a plate heavier than the plug.
 fn check_plug(scene: &Scene) -> Result<(), VariableError> {
-    let nose = scene.projectile.nose.word();
+    let nose = || stated(scene, "projectile.nose");
     require(scene.closure() != Closure::Given, &["projectile.nose", "target.closure"], || {
         format!(
-            "nose (projectile.nose) = {nose} with closure (target.closure) = given: the plug law needs Y and E; set closure = \
-             cylindrical with Y, UTS and E, choose a material, or set nose = hemispherical"
+            "{} with {}: the plug law needs Y and E; set closure = cylindrical with Y, UTS and E, choose a material, or set nose = \
+             hemispherical",
+            nose(),
+            stated(scene, "target.closure")
         )
     })?;
     require(
@@ -123,21 +133,22 @@ fn check_plug(scene: &Scene) -> Result<(), VariableError> {
         &["projectile.nose", "contact.model"],
         || {
             format!(
-                "nose (projectile.nose) = {nose} with model (contact.model) = appendix: the listing has a hemisphere only; set model = \
-             hydrodynamic, or nose = hemispherical"
+                "{} with {}: the listing has a hemisphere only; set model = hydrodynamic, or nose = hemispherical",
+                nose(),
+                stated(scene, "contact.model")
             )
         },
     )?;
-    let density_kg_m3 = scene.target.density_kg_m3;
     require(
-        Metal::of_density(density_kg_m3).is_some(),
+        Metal::of_density(scene.target.density_kg_m3).is_some(),
         &["projectile.nose", "target.density_kg_m3"],
         || {
             let (low, high) = Metal::STEEL_KG_M3;
             format!(
-                "nose (projectile.nose) = {nose} on a plate of rho (target.density_kg_m3) = {} kg/m^3: there is no plug law for this \
-             metal, only for light alloys below {} and steels of {} to {} kg/m^3; set nose = hemispherical for hole growth alone",
-                shortest(density_kg_m3),
+                "{} on a plate of {}: there is no plug law for this metal, only for light alloys below {} and steels of {} to {} kg/m3; set \
+                 nose = hemispherical for hole growth alone",
+                nose(),
+                stated(scene, "target.density_kg_m3"),
                 shortest(Metal::LIGHT_BELOW_KG_M3),
                 shortest(low),
                 shortest(high)
@@ -151,22 +162,23 @@ fn check_plug(scene: &Scene) -> Result<(), VariableError> {
         &["projectile.nose", "plate.mass_ratio"],
         || {
             format!(
-                "plate mass m_2 = {} g is not greater than the {} g of the plug that nose (projectile.nose) = {nose} shears out: the \
-             whole plate is the plug; raise gamma (plate.mass_ratio), m_2 or face, or set mount = rigid",
+                "plate mass m_2 = {} g is not greater than the {} g of the plug that {} shears out: the whole plate is the plug; raise gamma \
+                 (plate.mass_ratio), m_2 or face, or set mount = rigid",
                 significant(1e3 * plate_kg, 4),
-                significant(1e3 * plug_kg, 4)
+                significant(1e3 * plug_kg, 4),
+                nose()
             )
         },
     )
 }
 
 /// Describes the mechanism in a few words, for error messages.
-fn described(mechanism: &Mechanism) -> String {
-    let kind = mechanism.spring.kind.word();
-    let own = if mechanism.spring.own_mass == OwnMass::Counted { " with its own mass" } else { "" };
-    match mechanism.combination {
-        Combination::Alone => format!("spring (mechanism.spring.kind) = {kind}{own}"),
-        Combination::Parallel => format!("{kind} in parallel with a second spring"),
+fn described(scene: &Scene) -> String {
+    let Mechanism { spring, combination, .. } = &scene.mechanism;
+    let own = if spring.own_mass == OwnMass::Counted { " with its own mass" } else { "" };
+    match combination {
+        Combination::Alone => stated(scene, "mechanism.spring.kind") + own,
+        Combination::Parallel => format!("{} in parallel with a second spring", spring.kind.word()),
     }
 }
 
@@ -176,8 +188,8 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
     let model = scene.contact.model;
     require(elements.fract() == 0.0, &["stack.elements"], || {
         format!(
-            "elements (stack.elements) = {} is not whole: there are 1 to 50 of them; round it",
-            shortest(*elements)
+            "{} is not whole: there are 1 to 50 of them; round it",
+            stated(scene, "stack.elements")
         )
     })?;
     if base_thickness_m.is_none() {
@@ -198,21 +210,20 @@ fn check_stack(scene: &Scene) -> Result<(), VariableError> {
         &["contact.model", "stack.base_thickness_m"],
         || {
             format!(
-                "model (contact.model) = {} gives no residual velocity, which a stack (stack.base_thickness_m) needs: set \
-             model = hydrodynamic, or h_base = none",
-                model.word()
+                "{} gives no residual velocity, which a stack (stack.base_thickness_m) needs: set model = hydrodynamic, or h_base = none",
+                stated(scene, "contact.model")
             )
         },
     )?;
     for (number, Layer { target, plate, mechanism }) in (1..).zip(layers) {
-        require(plate.velocity_m_s == 0.0, &["plate.velocity_m_s"], || {
-            format!(
-                "stack.layer {number}: w_0 (plate.velocity_m_s) = {} m/s: only the plate that is struck first can have a velocity; set it to 0",
-                plate.velocity_m_s
-            )
-        })?;
         let mut own = Scene { stack: Stack::default(), ..scene.clone() };
         (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
+        require(plate.velocity_m_s == 0.0, &["plate.velocity_m_s"], || {
+            format!(
+                "stack.layer {number}: {}: only the plate that is struck first can have a velocity; set it to 0",
+                stated(&own, "plate.velocity_m_s")
+            )
+        })?;
         validate(&own).map_err(|source| element(format!("stack.layer {number}"), source))?;
     }
     if !scene.projectile.nose.shears() {
@@ -233,12 +244,11 @@ fn element(place: String, source: VariableError) -> VariableError {
 
 /// Rejects contact models other than the hydrodynamic one.
 pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
-    let model = scene.contact.model;
-    require(model == ContactModel::Hydrodynamic, &["contact.model"], || {
+    let is_hydrodynamic = scene.contact.model == ContactModel::Hydrodynamic;
+    require(is_hydrodynamic, &["contact.model"], || {
         format!(
-            "model (contact.model) = {} is not for this study, which compares methods for the hydrodynamic law: set model = \
-             hydrodynamic",
-            model.word()
+            "{} is not for this study, which compares methods for the hydrodynamic law: set model = hydrodynamic",
+            stated(scene, "contact.model")
         )
     })
 }
@@ -249,19 +259,17 @@ pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
         format!(
             "{} is not for the stability map, which varies k, n or b of the thesis's spring k |x|^n and damper: set spring = \
              power-law, combine = alone, own_mass = ignored, N_spring = 1",
-            described(&scene.mechanism)
+            described(scene)
         )
     })
 }
 
 /// Rejects a stack, for studies of a single plate.
 pub fn require_single(scene: &Scene) -> Result<(), VariableError> {
-    let base_m = scene.stack.base_thickness_m;
-    require(base_m.is_none(), &["stack.base_thickness_m"], || {
+    require(scene.stack.base_thickness_m.is_none(), &["stack.base_thickness_m"], || {
         format!(
-            "h_base (stack.base_thickness_m) = {} m makes the scene a stack, and this study looks at one plate: set h_base = none, \
-             elements = 1",
-            shortest(base_m.unwrap_or_default())
+            "{} makes the scene a stack, and this study looks at one plate: set h_base = none, elements = 1",
+            stated(scene, "stack.base_thickness_m")
         )
     })
 }
