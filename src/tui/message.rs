@@ -153,14 +153,12 @@ impl PageTable {
     /// Creates a table without a scene.
     pub(crate) fn new(
         title: &'static str,
-        file: impl Into<String>,
+        stem: impl fmt::Display,
         reach: Reach,
         csv: impl Fn(Reach) -> String + Send + Sync + 'static,
     ) -> Self {
-        let mut file = file.into();
-        if !reach.is_complete() {
-            file = file.replace(".csv", "-incomplete.csv");
-        }
+        let part = if reach.is_complete() { "" } else { "-incomplete" };
+        let file = format!("{stem}{part}.csv");
         let (csv, notes, command) = (Arc::new(csv), String::new(), String::new());
         Self { title, file, reach, csv, scene: None, notes, command }
     }

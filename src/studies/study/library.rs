@@ -11,21 +11,18 @@ enumeration! {
     pub enum Library in LibraryRow {
         /// Name of the file.
         file: &'static str,
+        /// The word for one of its entries.
+        key: &'static str,
     }
     /// Projectiles.
-    Threats { file: "threats" }
+    Threats { file: "threats", key: "threat" }
     /// Metals of plates.
-    Materials { file: "materials" }
+    Materials { file: "materials", key: "material" }
     /// Springs and absorbers.
-    Absorbers { file: "absorbers" }
+    Absorbers { file: "absorbers", key: "absorber" }
 }
 
 impl Library {
-    /// The word for one of its entries.
-    pub fn key(self) -> &'static str {
-        self.file().trim_end_matches('s')
-    }
-
     /// The start of the line in a scene's notes that warns of one of its entries.
     fn warning_start(self) -> String {
         format!("{} warning: ", self.key())

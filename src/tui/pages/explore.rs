@@ -26,6 +26,7 @@ use crate::tui::widgets::form::Form;
 use crate::tui::widgets::value_steps::Input;
 use crate::tui::widgets::{cursor_moved, moved};
 use crate::worker::studies::{PictureSweep, PrintedSweep};
+use cmra_engine::model::run::Outcome;
 use cmra_studies::report::sweep::{self, Columns};
 use cmra_studies::study::sweep::Axis;
 use cmra_studies::study::sweep::grid::Grid;
@@ -130,8 +131,11 @@ impl Page for ExploreTab {
         let mut parts = vec![problem.unwrap_or(progress)];
         if let Some(grid) = found {
             let others = grid.outcomes().each();
-            for (word, count) in others.filter(|(word, count)| *count > 0 && *word != "arrested") {
-                let severity = if word == "separated" { Severity::Note } else { Severity::Warning };
+            for (word, count) in
+                others.filter(|(word, count)| *count > 0 && *word != Outcome::Arrested.word())
+            {
+                let is_separated = word == Outcome::Separated.word();
+                let severity = if is_separated { Severity::Note } else { Severity::Warning };
                 parts.push(part(severity, format!("{count} {word}")));
             }
             let output = shown_output(app, grid).0;
@@ -185,7 +189,6 @@ impl Page for ExploreTab {
         let (grid, kept) = (app.pages.explore.found()?, &app.pages.explore.result);
         let plan = grid.plan();
         let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
-        let file = format!("{}.csv", names.join("-"));
         let sweep = Some(Columns::Chosen.sweep(plan));
         let scene = Arc::new(Scene { sweep, ..Scene::clone(&kept.scene) });
         let (reach, (done, total)) = (kept.reach, grid.progress());
@@ -194,7 +197,7 @@ impl Page for ExploreTab {
         let notes = export::sweep_notes(plan, missing.as_deref());
         let (name, grid) = (name_of(app, &scene), Arc::clone(grid));
         let csv = move |reach| sweep::grid_csv(&name, &grid, reach);
-        let table = PageTable::new("Export the sweep to CSV", file, reach, csv);
+        let table = PageTable::new("Export the sweep to CSV", names.join("-"), reach, csv);
         Some(table.for_scene(app, &scene, "sweep").noted(notes))
     }
 

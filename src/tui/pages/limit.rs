@@ -278,7 +278,7 @@ impl Page for LimitTab {
                 limit::shots(&name, &report).with_warnings(&warnings).with_reach(reach).csv()
             };
             let title = "Export the shots to CSV";
-            let table = PageTable::new(title, "limit.csv", kept.reach, csv);
+            let table = PageTable::new(title, "limit", kept.reach, csv);
             return Some(table.for_scene(app, &kept.scene, COMMAND));
         }
         let mut request = compare::Request::default();
@@ -290,15 +290,14 @@ impl Page for LimitTab {
                 let table = report::compare::table(&name, &found);
                 table.with_warnings(&warnings).with_reach(reach).csv()
             };
-            let table =
-                PageTable::new("Export the comparison to CSV", "compare.csv", kept.reach, csv);
+            let table = PageTable::new("Export the comparison to CSV", "compare", kept.reach, csv);
             return Some(table.for_scene(app, &kept.scene, request.to_string()));
         }
         let kept = &tab.map;
         let (map, name) = (kept.result.clone()?, name_of(app, &kept.scene));
         request.map = Some([map.x().clone(), map.y().clone()]);
         let csv = move |reach| report::compare::map_table(&name, &map).with_reach(reach).csv();
-        let table = PageTable::new("Export the map to CSV", "mass-efficiency.csv", kept.reach, csv);
+        let table = PageTable::new("Export the map to CSV", "mass-efficiency", kept.reach, csv);
         Some(table.for_scene(app, &kept.scene, request.to_string()))
     }
 

@@ -8,6 +8,7 @@ use crate::tui::pages::numerics::accuracy::accuracy_status;
 use crate::tui::pages::numerics::stability::{battery_readout, map_readout, stability_status};
 use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::runs::name_of;
+use crate::worker::studies::StabilityMap;
 use cmra_engine::model::run::Warning;
 use cmra_studies::report::{accuracy as accuracy_table, stability as stability_table};
 use cmra_studies::study::accuracy::method::Method;
@@ -103,7 +104,7 @@ impl Page for NumericsTab {
                 let csv =
                     move |reach| accuracy_table::table(&name, &report).with_reach(reach).csv();
                 let title = "Export the measurements to CSV";
-                let table = PageTable::new(title, "accuracy.csv", kept.reach, csv);
+                let table = PageTable::new(title, "accuracy", kept.reach, csv);
                 table.for_scene(app, &kept.scene, "accuracy")
             }
             STIFF_SCENES => {
@@ -111,19 +112,18 @@ impl Page for NumericsTab {
                 let found = kept.result.clone().filter(|found| !found.is_empty())?;
                 let csv = move |reach| stability_table::table(&*found).with_reach(reach).csv();
                 let title = "Export the stiff scenes to CSV";
-                PageTable::new(title, "battery.csv", kept.reach, csv)
+                PageTable::new(title, "battery", kept.reach, csv)
             }
             _ => {
                 let kept = &tab.stability.map;
                 let (map, name) = (kept.result.clone()?, name_of(app, &kept.scene));
-                let (symbol, method) = (map.variable.symbol(), map.method.word());
-                let command = format!("stability --map {symbol} --method {method}");
+                let command = StabilityMap::downcast(kept.request.as_ref()?)?.0.to_string();
                 let warnings: Vec<Warning> = library::warnings(&kept.scene).collect();
                 let csv = move |reach| {
                     let table = stability_table::map_table(&name, &map);
                     table.with_warnings(&warnings).with_reach(reach).csv()
                 };
-                let table = PageTable::new("Export the map to CSV", "map.csv", kept.reach, csv);
+                let table = PageTable::new("Export the map to CSV", "map", kept.reach, csv);
                 table.for_scene(app, &kept.scene, command)
             }
         })

@@ -88,7 +88,7 @@ const COMMANDS: &[Command; 1 + state::Page::COUNT] = &[
 struct Study {
     /// Synonyms for the search.
     synonyms: &'static str,
-    /// Proposed file name of an export.
+    /// Proposed file name of an export, without its ending.
     file: &'static str,
     /// Returns the rows of the setup, headings included.
     rows: fn(&App) -> Vec<Row>,
@@ -348,10 +348,12 @@ pub(crate) fn change(app: &mut App, row: Row, input: Input<'_>) -> Result<(), St
 /// Returns an initial goal: the value of the current run in two digits, if available immediately.
 fn first_goal(app: &App, name: &str) -> f64 {
     let run = app.shown.as_ref().filter(|_| !app.shows_old()).map(|shown| &shown.run);
-    let quantity = named(name).ok().filter(|quantity| quantity.needs() != Needs::Limit);
-    let value = quantity.zip(run).and_then(|(quantity, run)| quantity.value(run));
-    let velocity_m_s = app.scene.projectile.velocity_m_s;
-    let value = value.unwrap_or_else(|| if name.ends_with("_m_s") { velocity_m_s } else { 1.0 });
+    let quantity = named(name).ok();
+    let by_run = quantity.filter(|quantity| quantity.needs() != Needs::Limit);
+    let value = by_run.zip(run).and_then(|(quantity, run)| quantity.value(run));
+    let is_velocity = quantity.is_some_and(|quantity| quantity.unit() == "m/s");
+    let usual = if is_velocity { app.scene.projectile.velocity_m_s } else { 1.0 };
+    let value = value.unwrap_or(usual);
     significant(value, 2).parse().unwrap_or(value)
 }
 

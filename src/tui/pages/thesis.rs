@@ -127,16 +127,16 @@ impl Page for ThesisTab {
     fn table(&self, app: &App) -> Option<PageTable> {
         let tab = &app.pages.thesis;
         let (file, reach, text) = match app.pane() {
-            PRINCIPLES => ("principles.csv", Reach::Complete, thesis::principles().csv()),
-            CONCEPTS => ("concepts.csv", Reach::Complete, thesis::concepts().csv()),
-            MEASURED => ("measured-limits.csv", Reach::Complete, limits::rows(left_out()).csv()),
+            PRINCIPLES => ("principles", Reach::Complete, thesis::principles().csv()),
+            CONCEPTS => ("concepts", Reach::Complete, thesis::concepts().csv()),
+            MEASURED => ("measured-limits", Reach::Complete, limits::rows(left_out()).csv()),
             _ => {
                 // The table contains the displayed claims that are already checked.
                 let shown: Vec<Row> = app.pages.thesis.rows().to_vec();
                 let reach = tab.report.reach;
                 let text = || thesis::claims(&shown).with_reach(reach).csv();
                 let text = (!shown.is_empty()).then(text)?;
-                ("claims.csv", reach, text)
+                ("claims", reach, text)
             }
         };
         Some(PageTable::new("Export this page to CSV", file, reach, move |_| text.clone()))

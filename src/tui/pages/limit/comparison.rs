@@ -1,7 +1,7 @@
 //! Comparison of candidates with equal areal mass for the design under the cursor, with its basis.
 
 use crate::tui::app::running::CachedResult;
-use crate::tui::pages::limit::map::design;
+use crate::tui::pages::limit::map::{design, point_words};
 use crate::tui::pages::limit::state::CANDIDATES;
 use crate::tui::pages::page::prelude::*;
 use crate::tui::plain::{self, TextStyle};
@@ -55,10 +55,7 @@ const CONTINUATION_INDENT: &str = "  ";
 /// Draws the candidates side by side; scrolled by j and k.
 pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let focused = app.has_focus(CANDIDATES);
-    let of = match design(app) {
-        Ok(design) if app.pages.limit.cursor.is_some() => design.label.replace(" = ", " "),
-        _ => "this scene".to_owned(),
-    };
+    let of = point_words(app).unwrap_or_else(|| "this scene".to_owned());
     let lines = candidate_lines(app, usize::from(area.width.saturating_sub(2)));
     let height = usize::from(area.height.saturating_sub(2));
     let right = match (lines.len() > height, focused) {

@@ -54,6 +54,13 @@ pub(crate) fn design(app: &App) -> Result<LabelledScene, String> {
     Ok(placed((*app.scene).clone(), values_at(map, at)))
 }
 
+/// Describes the point under the cursor: `v_i 150 m/s, gamma 2`; `None` before it is moved.
+pub(super) fn point_words(app: &App) -> Option<String> {
+    let values = values_at(efficiency_map(app)?, app.pages.limit.cursor?);
+    let words = values.map(|(axis, value)| format!("{} {}", axis.symbol(), axis.show(value, 5)));
+    Some(words.join(", "))
+}
+
 /// Returns the axes of the map with their values at a point.
 fn values_at(map: &EfficiencyMap, (x, y): (usize, usize)) -> [(&Axis, f64); 2] {
     [(map.x(), x), (map.y(), y)].map(|(axis, at)| (axis, axis.value(at as u64)))

@@ -45,6 +45,8 @@ pub struct Editor {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum EditorRow {
     Heading(&'static str),
+    /// Heading of the variables that a folded list omits.
+    More,
     /// Variable, by index into the table.
     Variable(usize),
 }
@@ -126,7 +128,7 @@ impl Editor {
         rows.push(EditorRow::Heading("Analysis variables"));
         rows.extend(named(ANALYSIS));
         if is_unfolded {
-            rows.push(EditorRow::Heading("More"));
+            rows.push(EditorRow::More);
             rows.extend(Self::more(scene).map(EditorRow::Variable));
         }
         rows

@@ -19,7 +19,7 @@ use cmra_studies::study::validity::counted;
 
 pub(super) const STUDY: Study = Study {
     synonyms: "optimise optimize best designs knee trade-off",
-    file: "front.csv",
+    file: "front",
     rows,
     request,
 };

@@ -22,7 +22,7 @@ const COLUMNS: [&str; 5] = ["output", SHOWN[0], SHOWN[1], SHOWN[2], "nominal"];
 
 pub(super) const STUDY: Study = Study {
     synonyms: "uncertainty scatter spread distribution histogram",
-    file: "montecarlo.csv",
+    file: "montecarlo",
     rows,
     request: |app| Ok(request(app)),
 };

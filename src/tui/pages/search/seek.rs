@@ -21,7 +21,7 @@ use cmra_studies::study::validity::DesignValidity;
 use cmra_studies::study::verdict::Decision;
 
 pub(super) const STUDY: Study =
-    Study { synonyms: "seek target solve inverse root", file: "seek.csv", rows, request };
+    Study { synonyms: "seek target solve inverse root", file: "seek", rows, request };
 
 fn rows(_: &App) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Goal"), Row::Result, Row::Goal, Row::Heading("Vary")];

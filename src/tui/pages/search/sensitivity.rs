@@ -17,7 +17,7 @@ use cmra_studies::study::validity;
 
 pub(super) const STUDY: Study = Study {
     synonyms: "tornado importance ranking one at a time",
-    file: "sensitivity.csv",
+    file: "sensitivity",
     rows,
     request,
 };

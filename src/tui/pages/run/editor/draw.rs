@@ -62,11 +62,10 @@ pub(crate) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'
     let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
     for (line, row) in inner.rows().zip(rows.iter().skip(first)) {
         match row {
-            EditorRow::Heading(title) => {
-                let text = if *title == "More" {
-                    more_words(app, usize::from(area.width.saturating_sub(5)))
-                } else {
-                    (*title).to_owned()
+            EditorRow::Heading(_) | EditorRow::More => {
+                let text = match row {
+                    EditorRow::Heading(title) => (*title).to_owned(),
+                    _ => more_words(app, usize::from(area.width.saturating_sub(5))),
                 };
                 let line = Rect { x: area.x, width: area.width, ..line };
                 let frame = Frame::Stacked { begins: false, below: Below::Nothing };
