@@ -51,18 +51,13 @@ mod zero_passage;
 /// zeros both computations take equal steps, and two stages more leave less than a hundredth of the error; a tighter tolerance would only
 /// add steps.
 const SECOND_FACTOR_AT_ZEROS: f64 = 1e-1;
-/// Greatest ratio of the work of a run and of its second computation together to that of a run alone. A second computation takes about 1.5
-/// times as much as the first, so that only the errors of the longest runs stay unknown.
-const WORK_OF_BOTH: [usize; 2] = [5, 3];
 
 /// Simulates one impact on a valid scene; [`simulate`](super::simulate::simulate) checks it.
 pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let stepping = IntegrationMethod::Collocation(local_tolerance(scene));
     let run = run_by(scene, settings, stepping, observer);
     if settings.estimate && run.end.is_complete() {
-        let [both, alone] = WORK_OF_BOTH;
-        let most = settings.most_work(f64::INFINITY).saturating_mul(both) / alone;
-        with_estimate(run, most, observer)
+        with_estimate(run, settings.most_work(f64::INFINITY), observer)
     } else {
         run
     }
