@@ -245,6 +245,11 @@ impl Equations<'_> {
         self.contact_n(state) * self.setup.cos + self.joined_weight_n() - spring
     }
 
+    /// Returns the negligible displacement of the plate, m, as [`unresolved_m_s`](Self::unresolved_m_s).
+    pub(super) fn unresolved_m(&self) -> f64 {
+        ROUNDING * self.least_sizes().0[1]
+    }
+
     /// Returns the negligible velocity of the plate, m/s: its smallest error at the smallest tolerance.
     pub(super) fn unresolved_m_s(&self) -> f64 {
         ROUNDING * self.least_sizes().1[1]

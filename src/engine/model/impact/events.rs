@@ -63,8 +63,9 @@ pub(super) fn event_function(equations: &Equations<'_>, event: Event, state: &St
         Event::HistoryEnd => setup.law.lasts_s() - state.t_s,
         Event::PushLimit => equations.limit_loads_n(state).0 - equations.interface_force_n(state),
         Event::PullLimit => equations.limit_loads_n(state).1 + equations.interface_force_n(state),
-        Event::KnotAhead => equations.knots_m().1 - state.x_m,
-        Event::KnotBehind => state.x_m - equations.knots_m().0,
+        // A plate that creeps to a knot at its rest position does not cross it again and again by rounding.
+        Event::KnotAhead => equations.knots_m().1 - state.x_m + equations.unresolved_m(),
+        Event::KnotBehind => state.x_m - equations.knots_m().0 + equations.unresolved_m(),
         Event::SpeedZero => mode.w_side * state.w_m_s + equations.unresolved_m_s(),
         // An elastic stop follows a plate that moves backwards.
         Event::StopReached if mode.w_side < 0.0 && setup.stop.stiffness_n_m > 0.0 => {
