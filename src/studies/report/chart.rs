@@ -147,6 +147,14 @@ impl<'a> Axis<'a> {
     }
 }
 
+/// Returns the first of two values without its unit if the second has the same: `4.27` of `4.27 mm` beside `6.49 mm`.
+pub fn without_common_unit(first: String, second: &str) -> String {
+    match (first.split_once(' '), second.split_once(' ')) {
+        (Some((number, unit)), Some((_, other))) if unit == other => number.to_owned(),
+        _ => first,
+    }
+}
+
 /// Joins two texts with a blank; omits the blank if one is empty.
 pub fn spaced(a: &str, b: &str) -> String {
     let gap = if a.is_empty() || b.is_empty() { "" } else { " " };

@@ -16,7 +16,7 @@ use crate::study::compare::{
 use crate::study::envelope;
 use crate::study::library;
 use crate::study::limit::RANGE_M_S;
-use crate::study::quantities::{Quantity, find};
+use crate::study::quantities::{EXPECTED, Quantity, find};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::{PlateSize, Scene};
@@ -34,9 +34,9 @@ const LINES: [&str; 22] = [
     "candidate",
     "mass_efficiency",
     "limit_velocity_m_s",
-    "expected_limit_m_s",
-    "expected_low_m_s",
-    "expected_high_m_s",
+    EXPECTED[0],
+    EXPECTED[1],
+    EXPECTED[2],
     "limit_if_spring_survives_m_s",
     "outcome",
     "verdict",
@@ -110,7 +110,7 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
 fn beside(report: &ComparisonReport) -> Vec<Cells> {
     let has_class = report.entries.iter().any(|entry| entry.shot.expected.is_some());
     let lines: Vec<&str> =
-        LINES.into_iter().filter(|key| has_class || !key.starts_with("expected_")).collect();
+        LINES.into_iter().filter(|key| has_class || !EXPECTED.contains(key)).collect();
     table("", report).turned(&lines)
 }
 

@@ -7,7 +7,7 @@ use crate::report::page::Page;
 use crate::report::table::{Cells, Table};
 use crate::report::verdict;
 use crate::study::measured::{Errors, OUTPUTS, Row, errors};
-use crate::study::quantities::find;
+use crate::study::quantities::{EXPECTED, find};
 
 /// Markers of the classes in the picture; the largest class comes first.
 const MARKERS: [char; 8] = ['o', 'x', '+', 's', 'd', '*', 'v', 'm'];
@@ -55,9 +55,9 @@ fn page_keys(rows: &[Row]) -> Vec<&'static str> {
     let limit = [
         "measured_limit_m_s",
         "limit_velocity_m_s",
-        "expected_limit_m_s",
-        "expected_low_m_s",
-        "expected_high_m_s",
+        EXPECTED[0],
+        EXPECTED[1],
+        EXPECTED[2],
         "relative_error",
     ];
     let has = |is_measured: fn(&Row) -> bool| rows.iter().any(is_measured);

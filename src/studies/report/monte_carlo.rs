@@ -185,7 +185,8 @@ pub fn json(name: &str, report: &MonteCarloReport, verdict: &Verdict, reach: Rea
     let outcomes = outcomes.map(|(word, count)| (word.to_owned(), Value::from(count)));
     let table = table(name, report);
     let outputs = table.rows.iter().map(|summary| {
-        let is_own = |key: &str| key != "scene" && key != "seed" && !key.starts_with('q');
+        let is_quantile = |key: &str| QUANTILES.iter().any(|it| it.0 == key);
+        let is_own = |key: &str| key != "scene" && key != "seed" && !is_quantile(key);
         let mut object = table.object(summary, is_own);
         let quantiles = QUANTILES.iter().filter_map(|(_, _, fraction)| {
             let Estimate { value, low_95, high_95 } = summary.quantile(*fraction)?;

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::report::chart::without_common_unit;
 use crate::report::page::Page;
 use crate::report::table::Table;
 use crate::study::sensitivity::{Effect, POINTS, SensitivityReport};
@@ -138,13 +139,7 @@ fn range_words(effect: &Effect, shown: &Shown<'_>) -> String {
 fn span(report: &SensitivityReport, effect: &Effect) -> Option<String> {
     let (least, greatest) = effect.range()?;
     let [least, greatest] = [least, greatest].map(|value| report.output.show(value, 3));
-    // Write a common unit once.
-    let unit = |text: &str| text.split_once(' ').map(|(_, unit)| unit.to_owned());
-    let least = match (unit(&least), unit(&greatest)) {
-        (Some(a), Some(b)) if a == b => least.split(' ').next().unwrap_or("").to_owned(),
-        _ => least,
-    };
-    Some(format!("{least} to {greatest}"))
+    Some(format!("{} to {greatest}", without_common_unit(least, &greatest)))
 }
 
 /// Formats the slope as `+0.13 mm for +0.1`: the change of the result for a round change of at most a tenth of the variable.

@@ -14,6 +14,7 @@ use crate::report::verdict;
 use crate::study::context::Reach;
 use crate::study::envelope;
 use crate::study::outcome::OutcomeCounts;
+use crate::study::quantities::{EXPECTED, LIMIT};
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Evaluator, Plan, Point, PointOutcome, Shard, Spacing};
 use crate::study::validity;
@@ -124,16 +125,8 @@ impl SweepWriter<'_> {
             table = table.field(output.name, value);
         }
         if is_all {
-            let keys = [
-                "limit_velocity_m_s",
-                "expected_limit_m_s",
-                "expected_low_m_s",
-                "expected_high_m_s",
-                "class",
-                "measurements",
-                "papers",
-            ];
-            for key in keys {
+            let of_limit = [LIMIT].into_iter().chain(EXPECTED);
+            for key in of_limit.chain(["class", "measurements", "papers"]) {
                 let verdicts = Rc::clone(&verdicts);
                 table = table.field(key, move |row| verdict::object(&verdicts[*row])[key].clone());
             }

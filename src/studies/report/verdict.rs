@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 use crate::report::table::Table;
 use crate::study::envelope;
 use crate::study::limit;
+use crate::study::quantities::EXPECTED;
 use crate::study::verdict::{Decision, Expected, Verdict};
 use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::scene::Scene;
@@ -19,9 +20,9 @@ pub fn expected_columns<'c, R: 'c>(
     expected: impl Fn(&R) -> Option<&Expected> + Copy + 'c,
 ) -> Table<'c, R> {
     table
-        .with("expected_limit_m_s", "expected", "m/s", move |row| Some(expected(row)?.limit_m_s))
-        .with("expected_low_m_s", "low", "m/s", move |row| Some(expected(row)?.low_m_s))
-        .with("expected_high_m_s", "high", "m/s", move |row| Some(expected(row)?.high_m_s))
+        .with(EXPECTED[0], "expected", "m/s", move |row| Some(expected(row)?.limit_m_s))
+        .with(EXPECTED[1], "low", "m/s", move |row| Some(expected(row)?.low_m_s))
+        .with(EXPECTED[2], "high", "m/s", move |row| Some(expected(row)?.high_m_s))
         .field("class", move |row| Some(expected(row)?.class.clone()))
         .field("measurements", move |row| Some(expected(row)?.measurements))
         .field("papers", move |row| Some(expected(row)?.papers))
@@ -32,9 +33,9 @@ pub fn object(verdict: &Verdict) -> Map<String, Value> {
     let expected = verdict.expected.as_ref();
     let value = json!({
         "limit_velocity_m_s": verdict.limit_m_s,
-        "expected_limit_m_s": expected.map(|it| it.limit_m_s),
-        "expected_low_m_s": expected.map(|it| it.low_m_s),
-        "expected_high_m_s": expected.map(|it| it.high_m_s),
+        (EXPECTED[0]): expected.map(|it| it.limit_m_s),
+        (EXPECTED[1]): expected.map(|it| it.low_m_s),
+        (EXPECTED[2]): expected.map(|it| it.high_m_s),
         "class": expected.map(|it| it.class.as_str()),
         "measurements": expected.map(|it| it.measurements),
         "papers": expected.map(|it| it.papers),

@@ -212,6 +212,8 @@ const UNBOUNDED_RATIO: f64 = 1e6;
 
 /// Name of the ballistic limit by the law; searches for designs may replace it.
 pub const LIMIT: &str = "limit_velocity_m_s";
+/// Keys of the limit that measurements let expect, and of the ends of its band.
+pub const EXPECTED: [&str; 3] = ["expected_limit_m_s", "expected_low_m_s", "expected_high_m_s"];
 const DESIGN_LIMIT: &str = "design_limit_m_s";
 
 /// All quantities, in the order of files.
@@ -274,9 +276,9 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("nose_pressure_ratio", Number, "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", Source::Scene(|scene| Some(envelope::nose_pressure_ratio(scene)))),
     quantity(LIMIT, Velocity, "ballistic limit v_bl: the least impact velocity that perforates, whatever its springs have to store", Source::Search(Search::Limit)).short("limit").is(&[OfStack]),
     quantity("limit_if_spring_survives_m_s", Velocity, "least impact velocity that perforates or that the spring does not survive, by its known mass and the range of its law: as in `compare`", Source::Search(Search::LimitIfSpringSurvives)).short("spring survives"),
-    quantity("expected_limit_m_s", Velocity, "ballistic limit that measurements of such shots let expect; none where no class was measured", Source::Search(Search::Expected(|it| it.limit_m_s))).short("expected").absent(NOT_MEASURED),
-    quantity("expected_low_m_s", Velocity, "lower end of the band that holds 90 % of such measured limits", Source::Search(Search::Expected(|it| it.low_m_s))).short("low").absent(NOT_MEASURED),
-    quantity("expected_high_m_s", Velocity, "upper end of the band that holds 90 % of such measured limits", Source::Search(Search::Expected(|it| it.high_m_s))).short("high").absent(NOT_MEASURED),
+    quantity(EXPECTED[0], Velocity, "ballistic limit that measurements of such shots let expect; none where no class was measured", Source::Search(Search::Expected(|it| it.limit_m_s))).short("expected").absent(NOT_MEASURED),
+    quantity(EXPECTED[1], Velocity, "lower end of the band that holds 90 % of such measured limits", Source::Search(Search::Expected(|it| it.low_m_s))).short("low").absent(NOT_MEASURED),
+    quantity(EXPECTED[2], Velocity, "upper end of the band that holds 90 % of such measured limits", Source::Search(Search::Expected(|it| it.high_m_s))).short("high").absent(NOT_MEASURED),
     quantity(DESIGN_LIMIT, Velocity, "limit to design for: expected_low_m_s where such shots were measured, else limit_velocity_m_s", Source::Search(Search::DesignLimit)).short("design limit").is(&[OfStack]),
     quantity("mass_efficiency", Number, "areal mass of the solid plate that just stops the same shot, over that of this armour", Source::Search(Search::MassEfficiency)).short("efficiency"),
     quantity("steps", Number, "accepted steps", Source::Run(|run| Some(run.cost.steps as f64))).is(&[OfComputation, Whole]),

@@ -15,6 +15,7 @@ use cmra_engine::model::run::{Run, Sample};
 use cmra_engine::model::units::{Prefix, engineering};
 use cmra_engine::numerics::larger;
 use cmra_studies::report::chart::scale::whole_below;
+use cmra_studies::report::chart::without_common_unit;
 use cmra_studies::report::energies::Energies;
 use cmra_studies::report::figures::impact::{Stage, mode_words};
 use cmra_studies::report::series::state_at;
@@ -125,13 +126,7 @@ fn numbers(run: &Run, state: &Sample) -> Vec<String> {
         all.push(format!("nose {} out", length(depth_m - whole_m)));
     } else if depth_m.is_finite() {
         let of = engineering(whole_m, "m", 3);
-        let depth = length(depth_m);
-        let same = depth.rsplit_once(' ').zip(of.rsplit_once(' '));
-        let depth = match same {
-            Some(((number, unit), (_, other))) if unit == other => number.to_owned(),
-            _ => depth,
-        };
-        all.push(format!("depth {depth} of {of}"));
+        all.push(format!("depth {} of {of}", without_common_unit(length(depth_m), &of)));
     }
     if scene.is_sprung() {
         all.push(format!("x {}", length(state.plate_displacement_m)));
