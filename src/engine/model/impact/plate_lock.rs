@@ -10,7 +10,7 @@
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::method::IntegrationMethod;
-use crate::model::impact::modes::PlateConstraint;
+use crate::model::impact::modes::{Contact, PlateConstraint};
 use crate::model::impact::parameters::{ImpactParameters, Masses};
 use crate::model::impact::resolution::{FIRST_ORDER, NEGLIGIBLE, ROUNDING, TOLERANCE_RATIO};
 use crate::model::impact::rule::Rule;
@@ -40,11 +40,11 @@ impl ImpactParameters {
         matches!(self.numerics.method, IntegrationMethod::Second(_))
     }
 
-    /// Returns the displacement at which a relocked plate unlocks, m, for a travel of the projectile.
+    /// Returns the displacement at which a relocked plate unlocks, m, for a travel of the projectile; negligible before the contact.
     pub(super) fn relock_displacement_m(&self, q_m: f64) -> f64 {
         // The tolerance of the run.
         let tolerance = (1.0 / TOLERANCE_RATIO) * self.numerics.tolerance;
-        tolerance * smaller(q_m, self.reference.length_m)
+        larger(tolerance * smaller(q_m, self.reference.length_m), self.held_m())
     }
 }
 
@@ -174,7 +174,8 @@ impl Equations<'_> {
         // Energy of spring and push: with less than at the maximum the plate does not reach it again.
         let well_j = |x_m: f64| spring.energy(x_m) - push_n * x_m;
         may_lock
-            && (self.is_touching() || spring.energy(held_m) < self.pull_out_j(state))
+            && (self.mode.contact != Contact::Fused
+                || spring.energy(held_m) < self.pull_out_j(state))
             && push_n < spring.force(farthest_m)
             && speed_j + well_j(x_m) < well_j(farthest_m)
             && push_n.abs() < spring.force(held_m)
@@ -306,7 +307,6 @@ impl Equations<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::modes::Contact;
     use crate::model::impact::tests::{is_near, look};
 
     /// `F = 2 pi R (2/3) (S_y + C_d rho v²/2) v t` at first. Alone it has moved the plate by `F t²/(6 m_2)`, 100 x, when it is k x^n.

@@ -189,6 +189,23 @@ fn valid_a_held_plate_is_farthest_where_the_contact_pushes_most() {
 }
 
 /// From -d towards the spring's zero, up to the stop.
+/// Pushed back from 76 mm the plate comes to rest at the steep zero of its spring long before the shot arrives: it is held there, where it
+/// would oscillate by 1e-32 m.
+#[test]
+fn a_plate_at_rest_at_a_steep_zero_is_held_before_the_contact_too() {
+    let run = shot(
+        "n=0.484736 m=0.5 k=1.27202e7 b=7250.57 d=76.4316mm gamma=1.60001 v_i=20.027 h=17.0884mm theta=46.6639deg \
+                    S_y=3.44223e9 C_d=0.955122 interface=plastic g=0",
+    );
+    assert_eq!(run.outcome, Outcome::Separated);
+    assert!(run.cost.steps < 8000 && run.ledger.residual().abs() < 1e-9, "{run:?}");
+    let explicit = run_to_end(&run.scene, IntegrationMethod::Dop853(1e-11), Settings::BARE)
+        .penetration
+        .final_m;
+    let (found, explicit) = (run.penetration.final_m.unwrap(), explicit.unwrap());
+    assert!(is_near(found, explicit, 1e-8), "{found} {explicit}");
+}
+
 /// The absorber has no force behind x = 0, to which the plate creeps back while the shot is pulled out: rounding takes it across no more.
 #[test]
 fn a_plate_that_creeps_to_the_knot_at_its_rest_takes_few_evaluations() {
