@@ -244,14 +244,14 @@ impl Axis {
 
     /// Returns a value on the scale of the spacing.
     fn place(&self, value: f64) -> f64 {
-        if self.range.log { value.ln() } else { value }
+        if self.range.log { value.log10() } else { value }
     }
 
     /// Returns the weighted mean of the ends. It multiplies before it divides: round numbers stay round.
     fn between(&self, gone: f64, left: f64) -> f64 {
         let (from, to) = self.ends();
         let mean = (self.place(from) * left + self.place(to) * gone) / (gone + left);
-        let value = if self.range.log { nearest_short(mean.exp()) } else { mean };
+        let value = if self.range.log { nearest_short(10f64.powf(mean)) } else { mean };
         let (low, high) = if from < to { (from, to) } else { (to, from) };
         // Rounding errors, or an overflow of the products, could leave the range.
         if value.is_finite() { value.clamp(low, high) } else { low + 0.5 * (high - low) }
