@@ -37,6 +37,7 @@ use std::fmt::Display;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
@@ -52,7 +53,14 @@ pub(crate) fn run_with(scene: &Scene, settings: Settings) -> Option<Run> {
     simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).ok()
 }
 
-/// Runs a scene without series and error estimate.
+/// Returns the settings of a run for its results alone, without error estimate. A plate may hit its rigid stop after the outcome is decided;
+/// only a run with its series goes on to that hit.
+pub(crate) fn plain_settings(scene: &Scene) -> Settings {
+    let has_rigid_stop = Mechanism::from_scene(scene).rigid_stop().is_some();
+    Settings { series: has_rigid_stop, ..Settings::BARE }
+}
+
+/// Runs a scene for its results alone, without error estimate.
 pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {
-    run_with(scene, Settings::BARE)
+    run_with(scene, plain_settings(scene))
 }

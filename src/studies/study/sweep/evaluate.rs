@@ -10,6 +10,7 @@ use crate::study::compare::{self, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
 use crate::study::outcome::{Failure, PointOutcome};
+use crate::study::plain_settings;
 use crate::study::quantities::{Quantity, QuantityFlag, Search};
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
@@ -50,7 +51,8 @@ pub struct Evaluator<'p> {
     stop: &'p CancelFlag,
     scene: Arc<Scene>,
     kernel: Option<Kernel>,
-    settings: Settings,
+    /// Whether an output needs the error estimate.
+    estimate: bool,
 }
 
 impl<'p> Evaluator<'p> {
@@ -62,7 +64,7 @@ impl<'p> Evaluator<'p> {
             stop,
             scene: Arc::new(plan.base().clone()),
             kernel: Kernel::from_plan(plan),
-            settings: Settings { estimate, ..Settings::BARE },
+            estimate,
         }
     }
 
@@ -127,7 +129,10 @@ impl<'p> Evaluator<'p> {
         };
         let outputs = self.plan.outputs();
         let series = outputs.iter().any(|it| it.needs_course());
-        let (scene, settings) = (&self.scene, &Settings { series, ..self.settings });
+        let scene = &self.scene;
+        let plain = plain_settings(scene);
+        let settings =
+            &Settings { series: series || plain.series, estimate: self.estimate, ..plain };
         let work = || {
             let run = simulate::simulate(scene, settings, &mut observer).ok()?;
             let known = outputs.iter().filter(|_| run.end.is_complete());

@@ -6,9 +6,11 @@ use std::sync::Arc;
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::study::context::{CancelFlag, Context};
-use crate::study::plain_run;
+use crate::study::quantities::{QuantityFlag, of_runs};
 use crate::study::testing::scene;
+use crate::study::{plain_run, run_with, validity};
 use cmra_engine::model::run::Outcome;
+use cmra_engine::model::simulate::Settings;
 
 const NONE: [&str; 0] = [];
 
@@ -49,6 +51,51 @@ fn a_bad_plan_is_refused_before_anything_runs() {
         let refused = Plan::new(&Scene::default(), axes, &NONE).unwrap_err();
         let text = refused.to_string();
         assert!(fragments.iter().all(|fragment| text.contains(fragment)), "{text}");
+    }
+}
+
+/// Scenes with a stop behind, at or before the zero of the spring, where a cocked plate comes to rest or only meets it on its way.
+fn stopped() -> Vec<String> {
+    let places = ["d=0.1 x_stop=-50mm", "d=0.1 x_stop=0", "d=0.1 x_stop=1mm", "x_stop=2mm"];
+    let kinds = ["e=0", "e=1", "e=0.5 b=50"];
+    let others = ["", "spring=constant", "v_i=500"];
+    let with_kinds = places.iter().flat_map(|place| kinds.map(|kind| format!("{place} {kind}")));
+    with_kinds.flat_map(|pairs| others.map(|other| format!("{pairs} {other}"))).collect()
+}
+
+/// Each output is asked for alone, and beside all others.
+#[test]
+fn the_value_of_an_output_does_not_depend_on_the_others() {
+    let outputs: Vec<&str> =
+        of_runs().filter(|it| !it.has(QuantityFlag::OfComputation)).map(|it| it.name).collect();
+    for pairs in stopped() {
+        let base = scene(&pairs);
+        let v_m_s = base.projectile.velocity_m_s;
+        let whole = |outputs: &[&str]| {
+            let axes = vec![axis("v_i", v_m_s, v_m_s + 1.0, 2)];
+            let plan = Plan::new(&base, axes, outputs).unwrap();
+            Evaluator::new(&plan, &CancelFlag::default()).points(&[0]).remove(0)
+        };
+        let beside = whole(&outputs);
+        let run = run_with(&base, Settings::default()).unwrap();
+        for (output, beside) in outputs.iter().zip(beside.values) {
+            let alone = whole(&[output]).values[0];
+            assert_eq!(alone, beside, "{pairs}: {output}");
+            assert_eq!(alone, named(output).unwrap().value(&run), "{pairs}: {output}");
+        }
+    }
+}
+
+/// The cocked spring drives the plate onto the stop; a rigid one takes the blow in no time.
+#[test]
+fn valid_a_row_and_its_warnings_know_the_hit_on_a_stop_where_a_cocked_plate_comes_to_rest() {
+    let outputs = ["peak_mount_force_n", "fused_stop_hits"];
+    for pairs in ["d=0.1 x_stop=0 e=0", "d=0.1 x_stop=-50mm e=0"] {
+        let plan = Plan::new(&scene(pairs), vec![axis("v_i", 100.0, 101.0, 2)], &outputs).unwrap();
+        assert_eq!(points(&plan)[0].values, [None, Some(1.0)], "{pairs}");
+        let warnings = validity::of_plan(&plan);
+        let sentences: Vec<String> = warnings.iter().map(|it| format!("{it:?}")).collect();
+        assert!(sentences.iter().any(|it| it.contains("rigid stop")), "{pairs}: {sentences:?}");
     }
 }
 
