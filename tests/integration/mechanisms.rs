@@ -36,6 +36,22 @@ fn a_straight_table_is_the_linear_spring() {
     }
 }
 
+/// The terms of the force cancel far from the first point, and leave their rounding to a plate that creeps to rest.
+#[test]
+fn an_overdamped_plate_on_a_straight_table_comes_to_rest() {
+    let mut own = scene("spring=table d=50mm b=1000");
+    own.mechanism.spring.table.points = [[-2.0, -12_080.0], [2.0, 12_080.0]].into();
+    let (table, linear) = (run(own), run(scene("k=6040 d=50mm b=1000")));
+    assert!(table.end.is_complete(), "{:?} {:?}", table.end, table.cost);
+    assert_eq!(
+        outcome(&table).map(|value| value.abs() < 1e-12),
+        [false, false, false, false, true]
+    );
+    for (a, b) in outcome(&table).into_iter().zip(outcome(&linear)).take(4) {
+        assert_near(a, b, 1e-10);
+    }
+}
+
 #[test]
 fn two_linear_springs_are_one() {
     let pair = run(scene("combine=parallel k=1e5 k_2=3e5 d=0.004"));

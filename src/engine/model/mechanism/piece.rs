@@ -55,6 +55,18 @@ impl Piece {
         }
     }
 
+    /// Returns the sum of the magnitudes of the force's terms at x, N: they cancel where a piece is far from its own zero.
+    pub fn terms_n(&self, x: f64) -> f64 {
+        match self {
+            Self::Cubic { from_m, c } => {
+                let (z, c) = ((x - from_m).abs(), c.map(f64::abs));
+                c[0] + z * (c[1] + z * (c[2] + z * c[3]))
+            }
+            Self::Link { .. } | Self::Power { .. } => self.force(x).abs(),
+            Self::Parallel(laws) => laws[0].terms_n(x) + laws[1].terms_n(x),
+        }
+    }
+
     /// Returns the stiffness dF/dx at x, N/m.
     pub fn tangent(&self, x: f64) -> f64 {
         match self {

@@ -113,6 +113,14 @@ impl Spring {
         }
     }
 
+    /// Returns the sum of the magnitudes of the terms of [`force_in`](Self::force_in), N, whose rounding the force has.
+    pub fn terms_in_n(&self, stretch: usize, x: f64) -> f64 {
+        match self {
+            Self::Power(_) => self.force_in(stretch, x).abs(),
+            Self::Curve(curve) => curve.pieces[stretch].terms_n(x),
+        }
+    }
+
     /// Returns the stiffness at x by the law of a piece, N/m.
     pub fn tangent_in(&self, stretch: usize, x: f64) -> f64 {
         match self {
