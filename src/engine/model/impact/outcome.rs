@@ -391,7 +391,11 @@ impl Equations<'_> {
         // The plate reaches at least the equilibrium ahead, or its stop; its energy there has rounding errors.
         let end_m = smaller(mode.elastic.rest_ahead(x_m), setup.rigid_stop_m());
         let far_m = larger(end_m, so_far_m);
-        if self.is_in_equilibrium(state) {
+        let stroke_m = larger(far_m.abs(), far_m - setup.start.x_m);
+        if let Some(coasts_m) = self.coasts_to_m(state, moving_kg, stroke_m) {
+            return Some(larger(coasts_m, so_far_m));
+        }
+        if self.is_in_equilibrium(state) && !self.coasts(state) {
             return Some(far_m);
         }
         if let Some(way) = self.drives_away(state)
@@ -403,29 +407,11 @@ impl Equations<'_> {
             return Some(so_far_m);
         }
         let reach_m = self.max_reachable_displacement_m(state, energy_j);
-        let stroke_m = larger(far_m.abs(), far_m - setup.start.x_m);
         if reach_m - far_m <= NEGLIGIBLE * stroke_m && Rule::Reach.applies() {
             return Some(far_m);
         }
         if self.overshoots_at_most_m(state, energy_j, far_m) <= NEGLIGIBLE * stroke_m {
             return Some(far_m);
-        }
-        let coasts = !mode.is_pressed && state.w_m_s > 0.0 && self.joined_weight_n() == 0.0;
-        if coasts && mode.spring.is_slack(x_m, f64::INFINITY) {
-            let end_m = x_m + coasting_m(setup.damper, moving_kg, state.w_m_s);
-            if end_m < setup.stop.position_m || !setup.has_stop() {
-                return Some(larger(end_m, so_far_m));
-            }
-            // The plate reaches its stop; the remaining energy bounds the compression of an elastic stop.
-            let way_m = setup.stop.position_m - x_m;
-            let arrives_m_s = coasting_m_s(setup.damper, moving_kg, (state.w_m_s, way_m));
-            let presses_m = if self.stops_rigidly() {
-                0.0
-            } else {
-                arrives_m_s * (moving_kg / setup.stop.stiffness_n_m).sqrt()
-            };
-            let end_m = larger(setup.stop.position_m, so_far_m);
-            return (presses_m <= NEGLIGIBLE * larger(stroke_m, way_m)).then_some(end_m);
         }
         let in_full = matches!(setup.numerics.method, IntegrationMethod::CollocationInFull(_));
         // Only the spring can reverse the motion.
@@ -436,6 +422,33 @@ impl Equations<'_> {
         by_spring.then(|| {
             if self.is_gone_backwards(state) { so_far_m } else { larger(reach_m, so_far_m) }
         })
+    }
+
+    /// Returns `true` if only the damper acts on a plate that moves forwards.
+    fn coasts(&self, state: &State) -> bool {
+        let x_m = self.displacement_m(state.x_m);
+        !self.mode.is_pressed
+            && state.w_m_s > 0.0
+            && self.joined_weight_n() == 0.0
+            && self.mode.spring.slack_until(x_m) > x_m
+    }
+
+    /// Returns the displacement at which a coasting plate comes to rest, m: where its damper alone stops it, or where spring or stop begin
+    /// to press on it. `None` if it does not coast, or if it presses on them further than a negligible part of `stroke_m`.
+    fn coasts_to_m(&self, state: &State, moving_kg: f64, stroke_m: f64) -> Option<f64> {
+        let Equations { setup, mode } = self;
+        let x_m = self.displacement_m(state.x_m);
+        let end_m = x_m + coasting_m(setup.damper, moving_kg, state.w_m_s);
+        let stop_m = if setup.has_stop() { setup.stop.position_m } else { f64::INFINITY };
+        let place_m = smaller(mode.spring.slack_until(x_m), stop_m);
+        if !self.coasts(state) || end_m < place_m || place_m.is_infinite() {
+            return self.coasts(state).then_some(end_m);
+        }
+        let way_m = place_m - x_m;
+        let arrives_m_s = coasting_m_s(setup.damper, moving_kg, (state.w_m_s, way_m));
+        let energy_j = mode.elastic.energy(place_m) + 0.5 * moving_kg * arrives_m_s * arrives_m_s;
+        let reach_m = smaller(mode.elastic.reach(place_m, energy_j, 1.0), setup.rigid_stop_m());
+        (reach_m - place_m <= NEGLIGIBLE * larger(stroke_m, way_m)).then_some(place_m)
     }
 
     /// Returns `true` if the plate moves backwards without end: the spring drives it, or cannot take its energy.

@@ -268,6 +268,13 @@ impl Spring {
         self.forces_between(low_m, high_m) == (0.0, 0.0)
     }
 
+    /// Returns the displacement up to which the force is zero from x on, m; x if it is none there.
+    pub fn slack_until(&self, x: f64) -> f64 {
+        let stations = self.stations_m().0.iter().copied().filter(|station| *station > x);
+        let places = stations.chain([f64::INFINITY]);
+        places.take_while(|place| self.is_slack(x, *place)).last().unwrap_or(x)
+    }
+
     /// Returns the force at x, or its limit for infinite x, N.
     fn force_towards(&self, x: f64) -> f64 {
         if x.is_finite() {
