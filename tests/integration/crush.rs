@@ -111,3 +111,35 @@ fn valid_the_rounding_of_the_elastic_rise_does_not_matter() {
         assert!(first.is_sorted(), "{pairs}: {first:?}");
     }
 }
+
+/// Behind the absorber nothing but the damper takes the momentum of 2.95 N s: a linear one over 2.95/b, a quadratic one never, so that the
+/// plate comes to the absorber however late.
+#[test]
+fn valid_a_cocked_plate_coasts_towards_the_absorber() {
+    for (changes, farthest_m) in [
+        ("d=100mm b=100", -0.1 + 0.0295),
+        ("d=100mm b=2000", -0.1 + 2.95 / 2000.0),
+        ("d=20mm b=2000 m=2", 0.0),
+        ("d=100mm b=50 m=2", 0.0),
+        ("d=100mm b=200 x_stop=-50mm m=2 e=0", -0.05),
+    ] {
+        let run = crushed(changes);
+        assert!(run.end.is_complete(), "{changes}: {:?}", run.end);
+        let found_m = run.max_plate_displacement_m.unwrap();
+        assert!((found_m - farthest_m).abs() < 1e-11, "{changes}: {found_m}");
+    }
+}
+
+/// Thrown back off its stop, the plate leaves the absorber behind: the rounding of a force that ends is no pull, which would take the
+/// projectile out of a hole without grip after 1e27 s.
+#[test]
+fn a_plate_thrown_back_from_its_absorber_takes_the_projectile_with_it() {
+    let run = run(scene(
+        "gamma=2.61 spring=crush d=0.104 x_stop=0.0108 stop_kind=elastic k_stop=1.51e7 b_stop=1e4 interface=plastic g=0 dishing=off \
+         v_i=121",
+    ));
+    let depth_m = run.penetration.final_m.or(run.at_least.penetration_m).unwrap();
+    // All the energy of the projectile in A S of the full nose, and the nose itself.
+    let most_m = 0.00635 + 0.5 * 0.0295 * 121.0 * 121.0 / (1.2668e-4 * 1.52e8);
+    assert!(depth_m > 0.009 && depth_m < most_m, "{depth_m}");
+}

@@ -269,7 +269,7 @@ impl Equations<'_> {
     }
 
     /// Returns the rounding error of the mechanism's forces, N: cancelling forces, and a distant origin of the displacement.
-    fn mechanism_rounding_n(&self, x_m: f64, w_m_s: f64) -> f64 {
+    pub(super) fn mechanism_rounding_n(&self, x_m: f64, w_m_s: f64) -> f64 {
         let (mode, at_m) = (self.mode, self.displacement_m(x_m));
         let spring_n = mode.spring.terms_in_n(mode.stretch, at_m);
         let others_n = self.damper_n(w_m_s).abs() + self.pressed_stop_n(x_m, w_m_s).abs();

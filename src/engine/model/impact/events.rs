@@ -62,7 +62,11 @@ pub(super) fn event_function(equations: &Equations<'_>, event: Event, state: &St
         Event::ContactLost => equations.contact_n(state),
         Event::HistoryEnd => setup.law.lasts_s() - state.t_s,
         Event::PushLimit => equations.limit_loads_n(state).0 - equations.interface_force_n(state),
-        Event::PullLimit => equations.limit_loads_n(state).1 + equations.interface_force_n(state),
+        // Without a grip, the rounding of a spring that goes slack does not pull the projectile out.
+        Event::PullLimit => {
+            let rounding_n = equations.mechanism_rounding_n(state.x_m, state.w_m_s);
+            equations.limit_loads_n(state).1 + equations.interface_force_n(state) + rounding_n
+        }
         // A plate that creeps to a knot at its rest position does not cross it again and again by rounding.
         Event::KnotAhead => equations.knots_m().1 - state.x_m + equations.unresolved_m(),
         Event::KnotBehind => state.x_m - equations.knots_m().0 + equations.unresolved_m(),

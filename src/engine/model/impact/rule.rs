@@ -117,8 +117,8 @@ mod tests {
         (Rule::SpringTurns, "gamma=1 k=1e5", Difference::Work(1.5)),
         (
             Rule::Creep,
-            "n=3 m=0.7773 k=13309 b=9092.6 gamma=0.12981 v_i=16.633 h=5.9207mm S_y=70.23MPa C_d=0.083885 tol=2.8702e-11 interface=plastic g=0",
-            OSCILLATES,
+            "m=0.5025 k=8.2383e3 b=712.45 gamma=13.1374 v_i=15.8984 n=1.861 interface=plastic g=0 d=0.092 x_stop=0.0347",
+            BUDGET,
         ),
         (
             Rule::Balance,
