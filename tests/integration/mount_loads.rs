@@ -124,6 +124,21 @@ fn valid_the_hit_on_a_rigid_stop_belongs_to_the_impulse() {
     assert_near(number(&through, "mount_impulse_n_s"), momentum, 1e-9);
 }
 
+/// Thrown back at first, fused bodies come to the stop at their own starting place: 1 um / 20 m/s before a stop that stands 1 um further.
+#[test]
+fn valid_a_stop_at_the_starting_place_is_hit_on_the_way_back() {
+    let [at_start, beyond] = ["0", "1um"].map(|place| {
+        let found = run(&format!("w_0=-30 v_i=30 gamma=5 x_stop={place}"));
+        assert!(found["peak_mount_force_n"].is_null(), "{found}");
+        assert_near(number(&found, "fused_stop_hits"), 1.0, 0.0);
+        let hit = found["events"].as_array().unwrap().last().unwrap().clone();
+        assert_eq!(hit["event"], "stop hit");
+        number(&hit, "time_s")
+    });
+    // The common velocity of -20 m/s comes back: (30 - 5 x 30)/6.
+    assert_near(beyond - at_start, 1e-6 / 20.0, 1e-2);
+}
+
 /// A damper alone stops the plate at last: the mount takes all of the shot's momentum, 0.0295 kg at 50 m/s.
 #[test]
 fn valid_a_damper_takes_all_momentum_of_an_arrested_shot() {

@@ -56,7 +56,7 @@ impl Equations<'_> {
     }
 
     /// Returns `true` if the plate can reach its rigid stop with a given energy.
-    fn meets_rigid_stop(&self, state: &State, energy_j: f64) -> bool {
+    pub(super) fn meets_rigid_stop(&self, state: &State, energy_j: f64) -> bool {
         self.stops_rigidly()
             && self.max_reachable_displacement_m(state, energy_j) >= self.setup.stop.position_m
     }

@@ -28,7 +28,7 @@ const ROWS_MAX: usize = 20_000;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Recorder {
     pub(super) keep_series: bool,
-    /// Whether the marking of events has ended.
+    /// Whether the marking of events has ended, but for hits on a stop: an unbounded load.
     pub(super) is_over: bool,
     /// Interval of rows at equal times, s.
     pub(super) every_s: Option<f64>,
@@ -316,7 +316,7 @@ impl Recorder {
     }
 
     fn note(&mut self, t_s: f64, kind: EventKind) {
-        if !self.is_over {
+        if !self.is_over || kind == EventKind::StopHit {
             self.events.push(Event { t_s, kind });
         }
     }

@@ -86,6 +86,14 @@ impl ImpactRun<'_> {
             return false;
         }
         let energy_j = equations.energy_j(state);
+        // A rigid stop asks fused bodies for an unbounded force.
+        if is_joined
+            && !setup.interface.is_plastic
+            && equations.meets_rigid_stop(state, energy_j)
+            && record.events.iter().all(|event| event.kind != EventKind::StopHit)
+        {
+            return true;
+        }
         let bounds = equations.peak_load_bounds_n(state, energy_j);
         let most_n = equations.mechanism_bounds_n(bounds);
         let known_n = record.loads.known_n(&equations, state);
