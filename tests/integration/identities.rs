@@ -3,8 +3,9 @@
 use std::fmt::Write as _;
 use std::sync::Arc;
 
+use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{ContactMode, Run, RunWarning};
-use cmra_engine::model::scene::{ContactModel, Scene};
+use cmra_engine::model::scene::{ContactModel, Scene, SpringKind};
 use cmra_engine::model::variables::{VARIABLES, Value, Variable, validate};
 use cmra_studies::report::run::json;
 use cmra_studies::report::run::page::{results, sentence};
@@ -129,6 +130,10 @@ fn faults(run: &Run) -> Vec<String> {
     if run.scene.is_sprung() {
         let rows = greatest(&|row| row.plate_displacement_m);
         exceeds("max_plate_displacement_m", rows, key("max_plate_displacement_m"));
+        let spring = Mechanism::from_scene(&run.scene).spring;
+        let rows = greatest(&|row| spring.energy(row.plate_displacement_m));
+        let crushes = run.scene.mechanism.spring.kind == SpringKind::Crush;
+        exceeds("stored_energy_j", rows, key("stored_energy_j").filter(|_| !crushes));
     }
     let pushed = |row: &cmra_engine::model::run::Sample| match row.mode {
         ContactMode::Penetrating => row.contact_force_n,

@@ -181,3 +181,32 @@ fn valid_the_mount_force_counts_from_first_contact_and_all_terms_together() {
         assert_near(number(&run(pairs), "peak_mount_force_n"), exact_n, 1e-8);
     }
 }
+
+/// The line F = k x stores F²/(2 k) wherever the plate turns; the limit of a beam is as far from its neutral place on both sides.
+#[test]
+fn valid_a_spring_that_is_loaded_most_on_the_way_back_is_sized_for_it() {
+    let start = "gamma=5 w_0=-30 v_i=30";
+    for more in ["x_stop=5mm", "x_stop=0 e=1", "b=20", "b=20 horizon=60ms"] {
+        let pairs = format!("{start} k=1e5 {more}");
+        let back_n = greatest_of_rows_n(&format!("{pairs} horizon=60ms"), |[_, spring, ..]| spring);
+        let found = run(&pairs);
+        let stored_j = back_n * back_n / 2e5;
+        assert_near(number(&found, "stored_energy_j"), stored_j, 1e-4);
+        // A coil of steel weighs 5.08 g for each joule.
+        assert_near(number(&found, "least_spring_mass_kg"), 5.08e-3 * stored_j, 1e-3);
+    }
+}
+
+/// A stop that gives all energy back leaves the spring as much as it would have had without.
+#[test]
+fn valid_a_bounce_off_a_stop_without_loss_loads_the_spring_as_no_stop_does() {
+    let keys = ["stored_energy_j", "yield_margin", "travel_margin", "system_mass_kg"];
+    for spring in ["spring=prbm-guided", "k=1e5", "spring=bistable", "k=1e5 d=2mm"] {
+        let [without, with] = ["", " x_stop=5mm e=1"].map(|stop| run(&format!("{spring}{stop}")));
+        for key in keys.into_iter().filter(|key| !without[*key].is_null()) {
+            assert_near(number(&with, key), number(&without, key), 1e-9);
+        }
+        let yields = |run: &Value| run["warnings"].to_string().contains("the beam yields");
+        assert_eq!((yields(&with), yields(&without)), [spring.contains("prbm"); 2].into());
+    }
+}

@@ -306,6 +306,8 @@ pub struct MechanismLoad {
     pub added_kg: Option<f64>,
     /// Mass of the springs, kg; `None` if unknown.
     pub spring_mass_kg: Option<f64>,
+    /// Minimum displacement of the plate over the whole motion, rebound included, m; `None` on a rigid mount, or if unknown.
+    pub backmost_m: Option<f64>,
     /// Maximum of the total force of spring, damper and elastic stop over the whole motion, rebound included, N; `None` on a rigid mount.
     pub peak_mount_n: Option<f64>,
     /// Maximum energy of rotation at the steps of the solver, J; `None` without rotation.
@@ -406,6 +408,12 @@ impl Run {
     /// Returns the stroke, m: maximum displacement plus cocking distance.
     pub fn stroke_m(&self) -> Option<f64> {
         Some(self.max_plate_displacement_m? + self.scene.start_m().abs())
+    }
+
+    /// Returns the minimum and maximum displacement of a sprung plate, m; `None` without a maximum.
+    pub fn displacements_m(&self) -> Option<[f64; 2]> {
+        let far_m = self.max_plate_displacement_m.filter(|_| self.scene.is_sprung())?;
+        Some([self.mechanism.backmost_m.unwrap_or_else(|| self.scene.start_m()), far_m])
     }
 
     /// Returns the time of maximum displacement, s; `None` if the time series ends before.

@@ -28,9 +28,14 @@ pub(in crate::study) struct FirstContact {
 }
 
 impl FirstContact {
-    /// The greatest displacement of a plate that stops the shot: another shot does not size its springs.
-    pub(in crate::study) fn stopped_displacement_m(&self) -> Option<f64> {
-        self.max_displacement_m.filter(|_| self.end.arrested)
+    /// Where the plate starts and its greatest displacement. Without damper and stop it stores no more on the way back.
+    pub(in crate::study) fn displacements_m(&self) -> Option<[f64; 2]> {
+        Some([self.start_m, self.max_displacement_m?])
+    }
+
+    /// The displacements of a plate that stops the shot: another shot does not size its springs.
+    pub(in crate::study) fn stopped_displacements_m(&self) -> Option<[f64; 2]> {
+        self.displacements_m().filter(|_| self.end.arrested)
     }
 
     /// The end of a contact that ends in an arrest.
@@ -72,13 +77,15 @@ pub(in crate::study) fn decides(scene: &Scene, wanted: ContactOutput) -> bool {
         && scene.interface.law == InterfaceLaw::Fused;
     let is_free = !(sprung && mechanism.stop.position_m.is_some()) && scene.run.horizon_s.is_none();
     let is_damped = sprung && !mechanism.damper.is_absent();
+    let goes_back = sprung && scene.plate.velocity_m_s < 0.0;
     let is_alone = !scene.is_stack();
     stays
         && is_alone
         && match wanted {
             ContactOutput::Passage => true,
             ContactOutput::Contact => is_free,
-            ContactOutput::Displacement => is_free && !is_damped,
+            // A plate that first goes back may store more energy there than at its greatest displacement.
+            ContactOutput::Displacement => is_free && !is_damped && !goes_back,
         }
 }
 

@@ -82,15 +82,12 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     Some(if row.mode == ContactMode::Fused { m_p * cos * struck } else { lost(row) })
 }
 
-/// Greatest energy in the springs between where the plate starts and its greatest displacement, J.
-pub(in crate::study) fn spring_energy_j(
-    scene: &Scene,
-    start_m: f64,
-    max_displacement_m: Option<f64>,
-) -> Option<f64> {
+/// Greatest energy in the springs between the extreme displacements of the plate, J.
+pub(in crate::study) fn spring_energy_j(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f64> {
     let spring = Mechanism::from_scene(scene).spring;
     if !scene.is_sprung() || spring.is_absent() {
         return Some(0.0);
     }
-    Some(spring.greatest_energy(start_m, max_displacement_m?))
+    let [from_m, to_m] = ends_m?;
+    Some(spring.greatest_energy(from_m, to_m))
 }

@@ -264,12 +264,12 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("travel_margin", Number, "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
     quantity("fused_stop_hits", Number, "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
     quantity("plate_mass_kg", Mass, "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
-    quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::min_spring_kg(&run.scene, run.max_plate_displacement_m)))
-        .by_contact(Displacement(|it, scene| mount::min_spring_kg(scene, it.max_displacement_m))).is(&[CountsSprings]),
-    quantity("system_mass_kg", Mass, "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacement_m(run))))
-        .by_contact(Displacement(|it, scene| mount::system_kg(scene, it.stopped_displacement_m()))).short("system").is(&[CountsSprings]),
-    quantity("areal_mass_kg_m2", ArealMass, "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacement_m(run))))
-        .by_contact(Displacement(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacement_m()))).is(&[CountsSprings]),
+    quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::min_spring_kg(&run.scene, run.displacements_m())))
+        .by_contact(Displacement(|it, scene| mount::min_spring_kg(scene, it.displacements_m()))).is(&[CountsSprings]),
+    quantity("system_mass_kg", Mass, "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacements_m(run))))
+        .by_contact(Displacement(|it, scene| mount::system_kg(scene, it.stopped_displacements_m()))).short("system").is(&[CountsSprings]),
+    quantity("areal_mass_kg_m2", ArealMass, "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacements_m(run))))
+        .by_contact(Displacement(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacements_m()))).is(&[CountsSprings]),
     quantity("plate_face_m", Length, "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| scene.is_sprung().then(|| scene.plate_face_m()))),
     quantity("face_over_diameter", Number, "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", Number, "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),
@@ -452,8 +452,7 @@ fn energy_residual(run: &Run) -> Option<f64> {
 
 /// Returns the smallest ratio of limit to displacement over all springs and limits; `None` if no spring has a relevant limit.
 fn travel_margin(run: &Run) -> Option<f64> {
-    let farthest = run.max_plate_displacement_m.filter(|_| run.scene.is_sprung())?;
-    load::travel_margin(&run.scene, run.scene.start_m(), farthest)
+    load::travel_margin(&run.scene, run.displacements_m()?)
 }
 
 /// Default quantities: the depth for a stack; for a single plate the depth relative to that in a rigid plate.

@@ -14,7 +14,7 @@ use crate::model::run::{
     Observer, Outcome, Run, RunSnapshot, RunWarning, Sample, Settings,
 };
 use crate::model::scene::{InterfaceLaw, Listing, Mount, Scene};
-use crate::numerics::larger;
+use crate::numerics::{larger, smaller};
 
 /// Maximum number of steps of the contact, and of the motion afterwards.
 const STEPS_MAX: usize = 2_000_000;
@@ -38,6 +38,7 @@ struct Work {
     max_displacement_m: f64,
     peak_n: f64,
     peak_mount_n: f64,
+    backmost_m: f64,
     before: Option<Sample>,
 }
 
@@ -86,6 +87,7 @@ pub(in crate::model) fn compute(
         max_displacement_m: 0.0,
         peak_n: 0.0,
         peak_mount_n: 0.0,
+        backmost_m: 0.0,
         before: None,
     };
     work.note(ContactMode::Penetrating, 0, true);
@@ -132,7 +134,9 @@ impl Work {
         }
         self.before = Some(sample);
         self.deepest_m = larger(sample.penetration_m, self.deepest_m);
-        self.max_displacement_m = larger(sample.plate_displacement_m, self.max_displacement_m);
+        let x_m = sample.plate_displacement_m;
+        self.max_displacement_m = larger(x_m, self.max_displacement_m);
+        self.backmost_m = smaller(x_m, self.backmost_m);
         self.peak_n = larger(sample.contact_force_n, self.peak_n);
         self.peak_mount_n = larger(sample.mount_force_n().abs(), self.peak_mount_n);
         if self.keep && (is_event || step.is_multiple_of(step / POINTS + 1)) {
@@ -288,6 +292,7 @@ impl Work {
         self.run.warnings.push(RunWarning::EnergyDrift { residual });
         self.run.peak_contact_force_n = Some(self.peak_n);
         self.run.mechanism.peak_mount_n = (!is_rigid).then_some(self.peak_mount_n);
+        self.run.mechanism.backmost_m = (!is_rigid).then_some(self.backmost_m);
         let is_decided = self.run.outcome != Outcome::Moving;
         self.run.penetration.final_m = is_decided.then_some(self.deepest_m);
         if !self.run.end.is_complete() {

@@ -1,21 +1,27 @@
-//! Peak forces of mount and fused interface.
+//! Peak loads of mount, spring and fused interface.
 
 use std::array;
 
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::Contact;
+use crate::model::impact::resolution::RESOLUTION;
+use crate::model::impact::results::ImpactRun;
 use crate::model::impact::state::State;
+use crate::model::mechanism::load;
+use crate::model::run::EventKind;
 use crate::numerics::smaller;
 
 /// Signs of the mechanism's force for compression and tension of the interface.
 pub(super) const COMPRESSION_TENSION_SIGNS: [f64; 2] = [1.0, -1.0];
 
-/// Peak forces of mount and fused interface.
+/// Peak loads of mount, spring and fused interface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Loads {
     /// Peak of the total force of spring, damper and elastic stop, N.
     pub(super) mount_n: f64,
+    /// Minimum displacement of the plate, m: how far it goes back.
+    pub(super) backmost_m: f64,
     /// Peak compression and tension of the fused interface, relative to its limit load in compression.
     pub(super) ratios: Option<[f64; 2]>,
     /// Times at which compression and tension first exceed the limit loads, s.
@@ -53,5 +59,62 @@ impl Equations<'_> {
     pub(super) fn joint_n(&self, state: &State) -> Option<f64> {
         let is_joined = self.mode.contact == Contact::Fused && self.setup.law == ContactLaw::Flow;
         (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
+    }
+}
+
+impl ImpactRun<'_> {
+    /// Returns `true` if later motion can increase the peak loads of mount or interface.
+    pub(super) fn loads_may_grow(&mut self) -> bool {
+        let Self { setup, ref mode, ref state, ref record, .. } = *self;
+        let equations = Equations { setup, mode };
+        let is_joined = mode.contact == Contact::Fused;
+        if equations.is_in_equilibrium(state) || equations.drives_away(state).is_some() {
+            return false;
+        }
+        let energy_j = equations.energy_j(state);
+        // A rigid stop asks fused bodies for an unbounded force.
+        if is_joined
+            && !setup.interface.is_plastic
+            && equations.meets_rigid_stop(state, energy_j)
+            && record.events.iter().all(|event| event.kind != EventKind::StopHit)
+        {
+            return true;
+        }
+        let bounds = equations.peak_load_bounds_n(state, energy_j);
+        let most_n = equations.mechanism_bounds_n(bounds);
+        let known_n = record.loads.known_n(&equations, state);
+        let back_m = mode.elastic.reach(equations.displacement_m(state.x_m), energy_j, -1.0);
+        let exceeds =
+            is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
+        if !setup.damper.is_absent()
+            || setup.has_stop()
+            || setup.absorber.is_some()
+            || (exceeds && record.loads.exceeded_s[0].is_none())
+        {
+            let grows = (0..2).any(|way| most_n[way] > known_n[way] * (1.0 + RESOLUTION));
+            return grows || self.is_loaded_more_at(back_m);
+        }
+        // The energy is conserved on the way to the peak of the spring force and back.
+        let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
+        record.note_loads(&Equations { setup, mode }, state, most_n, |_| None);
+        if back_m.is_finite() {
+            record.loads.backmost_m = smaller(back_m, record.loads.backmost_m);
+        }
+        false
+    }
+
+    /// Returns `true` if the spring stores more at a displacement behind the plate, or is closer to its limits there, than so far.
+    fn is_loaded_more_at(&self, back_m: f64) -> bool {
+        let (spring, known_m) = (&self.setup.spring, self.record.loads.backmost_m);
+        let far_m = self.decided.map_or(self.record.farthest_m, |(_, far_m)| far_m);
+        if !(back_m.is_finite() && far_m.is_finite() && back_m < known_m) {
+            return false;
+        }
+        let known_j = spring.greatest_energy(known_m, far_m);
+        let margin = |ends_m: [f64; 2]| load::travel_margin(self.scene, ends_m);
+        spring.greatest_energy(back_m, known_m) > known_j * (1.0 + RESOLUTION)
+            || margin([back_m; 2])
+                .zip(margin([known_m, far_m]))
+                .is_some_and(|(there, known)| there < known * (1.0 - RESOLUTION))
     }
 }

@@ -18,8 +18,8 @@ use crate::model::run::{
     Arrest, Cost, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Parting, Sample,
 };
 use crate::numerics::event_location::{EventSearch, first_crossing};
-use crate::numerics::larger;
 use crate::numerics::quadrature::GAUSS_10;
+use crate::numerics::{larger, smaller};
 
 /// Number of rows after which only the ends of steps are kept.
 const ROWS_MAX: usize = 20_000;
@@ -61,7 +61,7 @@ impl Recorder {
     /// Records the state at first contact.
     pub(super) fn begin(&mut self, equations: &Equations<'_>, state: &State) {
         let x_m = equations.displacement_m(state.x_m);
-        self.farthest_m = x_m;
+        (self.farthest_m, self.loads.backmost_m) = (x_m, x_m);
         self.peak_contact_n = equations.contact_n(state);
         if equations.setup.law == ContactLaw::AtOnce {
             self.note(state.t_s, EventKind::FirstArrest);
@@ -173,6 +173,7 @@ impl Recorder {
             (self.farthest_m, self.farthest_s) = (x_m, t_s);
             self.left_out[1] = self.oscillation.left_out;
         }
+        self.loads.backmost_m = smaller(x_m, self.loads.backmost_m);
     }
 
     /// Records a state.

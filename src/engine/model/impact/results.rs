@@ -77,41 +77,6 @@ impl ImpactRun<'_> {
         (is_little || is_long).then_some((Outcome::Arrested, deepens_m))
     }
 
-    /// Returns `true` if later motion can increase the peak loads of mount or interface.
-    pub(super) fn loads_may_grow(&mut self) -> bool {
-        let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
-        let equations = Equations { setup, mode };
-        let is_joined = mode.contact == Contact::Fused;
-        if equations.is_in_equilibrium(state) || equations.drives_away(state).is_some() {
-            return false;
-        }
-        let energy_j = equations.energy_j(state);
-        // A rigid stop asks fused bodies for an unbounded force.
-        if is_joined
-            && !setup.interface.is_plastic
-            && equations.meets_rigid_stop(state, energy_j)
-            && record.events.iter().all(|event| event.kind != EventKind::StopHit)
-        {
-            return true;
-        }
-        let bounds = equations.peak_load_bounds_n(state, energy_j);
-        let most_n = equations.mechanism_bounds_n(bounds);
-        let known_n = record.loads.known_n(&equations, state);
-        let grows = (0..2).any(|way| most_n[way] > known_n[way] * (1.0 + RESOLUTION));
-        let exceeds =
-            is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
-        if !setup.damper.is_absent()
-            || setup.has_stop()
-            || setup.absorber.is_some()
-            || (exceeds && record.loads.exceeded_s[0].is_none())
-        {
-            return grows;
-        }
-        // The energy is conserved on the way to the peak of the spring force and back.
-        record.note_loads(&equations, state, most_n, |_| None);
-        false
-    }
-
     /// Returns the end of the time series of the contact, s.
     pub(super) fn tail_s(&self) -> f64 {
         let record = &self.record;
@@ -251,7 +216,7 @@ impl ImpactRun<'_> {
         let inertia = Inertia::from_scene(self.scene);
         let ends = max_displacement_m
             .filter(|_| !self.setup.is_rigid_mount)
-            .map(|far_m| [self.setup.start.x_m, far_m]);
+            .map(|far_m| [self.record.loads.backmost_m, far_m]);
         let stress_at = |x_m: f64| load::stress_ratio(self.scene, x_m);
         let stress = ends.and_then(|[from, to]| Some(larger(stress_at(from)?, stress_at(to)?)));
         let positive = |value: f64| Some(value).filter(|value| *value > 0.0);
@@ -268,6 +233,7 @@ impl ImpactRun<'_> {
             yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
             added_kg: positive(inertia.added_kg),
             spring_mass_kg: inertia.spring_mass_kg,
+            backmost_m: ends.map(|[back_m, _]| back_m),
             peak_mount_n: (!self.setup.is_rigid_mount).then_some(self.record.loads.mount_n),
             rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
         }
@@ -295,14 +261,13 @@ impl ImpactRun<'_> {
         }
     }
 
-    /// Returns the largest displacement of the spring, m; infinite for a plate that moves away without end.
+    /// Returns the largest displacement of the plate, m; infinite for a plate that moves away without end.
     fn largest_displacement_m(&self, run: &Run) -> f64 {
-        let far_m = match self.decided.filter(|_| self.has_no_horizon()) {
+        match self.decided.filter(|_| self.has_no_horizon()) {
             Some((_, far_m)) if far_m.is_infinite() => far_m,
             Some(_) if self.equations().is_gone_backwards(&self.state) => f64::NEG_INFINITY,
             _ => run.max_plate_displacement_m.unwrap_or(self.record.farthest_m),
-        };
-        if far_m.abs() < self.setup.start.x_m.abs() { self.setup.start.x_m } else { far_m }
+        }
     }
 
     fn warnings(&self, run: &Run) -> Vec<RunWarning> {
@@ -330,9 +295,9 @@ impl ImpactRun<'_> {
             resumed_s.map(|t_s| RunWarning::PenetrationResumed { t_s }),
             drifts.then_some(RunWarning::EnergyDrift { residual }),
         ];
-        let far_m = self.largest_displacement_m(run);
-        let limits =
-            load::exceeded(scene, far_m).map(RunWarning::Limit).filter(|_| !setup.is_rigid_mount);
+        let ends_m = [self.largest_displacement_m(run), loads.backmost_m];
+        let limits = load::exceeded(scene, ends_m).into_iter().map(RunWarning::Limit);
+        let limits = limits.filter(|_| !setup.is_rigid_mount);
         // Effects that the contact model does not include.
         let depth_m = run.penetration.final_m.filter(|_| !self.flows());
         let is_through = depth_m.is_some_and(|depth_m| depth_m > setup.geometry.thickness_m);

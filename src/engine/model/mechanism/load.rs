@@ -28,13 +28,22 @@ fn limits(scene: &Scene, x_m: f64) -> impl Iterator<Item = Limit> {
     all.into_iter().map(move |(limit_m, what)| Limit { what, required_m: x_m, limit_m })
 }
 
-/// The limits that a plate displacement exceeds.
-pub fn exceeded(scene: &Scene, x_m: f64) -> impl Iterator<Item = Limit> {
-    limits(scene, x_m).filter(|it| it.required_m.abs() > it.limit_m.abs())
+/// The limits exceeded at either end of the plate's way, each at the end where it is exceeded most.
+pub fn exceeded(scene: &Scene, ends_m: [f64; 2]) -> Vec<Limit> {
+    let mut exceeded: Vec<Limit> = Vec::new();
+    for limit in ends_m.into_iter().flat_map(|x_m| limits(scene, x_m)) {
+        let excess = |it: &Limit| it.required_m.abs() - it.limit_m.abs();
+        match exceeded.iter_mut().find(|known| known.what == limit.what) {
+            Some(known) if excess(&limit) > excess(known) => *known = limit,
+            None if excess(&limit) > 0.0 => exceeded.push(limit),
+            _ => {}
+        }
+    }
+    exceeded
 }
 
 /// The least of limit over displacement at either end of the plate's way, of every limit; `None` where the spring has no limit.
-pub fn travel_margin(scene: &Scene, from_m: f64, to_m: f64) -> Option<f64> {
-    let limits = [from_m, to_m].into_iter().flat_map(|x_m| limits(scene, x_m));
+pub fn travel_margin(scene: &Scene, ends_m: [f64; 2]) -> Option<f64> {
+    let limits = ends_m.into_iter().flat_map(|x_m| limits(scene, x_m));
     limits.map(|it| it.limit_m / it.required_m).reduce(smaller)
 }

@@ -170,5 +170,5 @@ impl CandidateEvaluator<'_, '_> {
 }
 
 fn demand(run: &Run) -> MechanismLoadCase {
-    MechanismLoadCase::from_scene(&run.scene, run.max_plate_displacement_m)
+    MechanismLoadCase::from_scene(&run.scene, run.displacements_m())
 }

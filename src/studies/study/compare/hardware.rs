@@ -30,16 +30,15 @@ pub struct Failure {
 /// The load of a shot on the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MechanismLoadCase {
-    /// Maximum plate displacement, m; `None` if nothing stops the plate or the displacement is unknown.
-    max_displacement_m: Option<f64>,
+    /// Extreme displacements of the plate, m; `None` if nothing stops the plate or they are unknown.
+    ends_m: Option<[f64; 2]>,
     /// Maximum energy stored in the springs, J.
     stored_j: Option<f64>,
 }
 
 impl MechanismLoadCase {
-    pub(super) fn from_scene(scene: &Scene, max_displacement_m: Option<f64>) -> Self {
-        let stored_j = spring_energy_j(scene, scene.start_m(), max_displacement_m);
-        Self { max_displacement_m, stored_j }
+    pub(super) fn from_scene(scene: &Scene, ends_m: Option<[f64; 2]>) -> Self {
+        Self { ends_m, stored_j: spring_energy_j(scene, ends_m) }
     }
 }
 
@@ -93,8 +92,8 @@ impl InstalledSpring {
             return None;
         }
         // A plate that nothing stops passes the end of every law.
-        let far_m = demand.max_displacement_m.unwrap_or(f64::INFINITY);
-        if let Some(limit) = exceeded(scene, far_m).next() {
+        let ends_m = demand.ends_m.unwrap_or_else(|| [scene.start_m(), f64::INFINITY]);
+        if let Some(limit) = exceeded(scene, ends_m).first() {
             return Some(Failure { word: "spring law", words: limit.what });
         }
         let is_full = |stored: &f64| *stored > self.capacity_j * (1.0 + SAME);

@@ -146,13 +146,14 @@ fn shoot(scene: Scene) -> Option<Shot> {
 fn shoot_by_law(scene: Scene) -> Option<Shot> {
     let tolerance = first_contact::TOLERANCE_FRACTION * scene.run.tolerance;
     if let Some(end) = first_contact::contact(&scene, ContactOutput::Displacement, tolerance) {
-        let demand =
-            MechanismLoadCase::from_scene(&scene, first_contact::max_displacement_m(&scene, &end));
+        let far_m = first_contact::max_displacement_m(&scene, &end);
+        let ends_m = far_m.map(|far_m| [scene.start_m(), far_m]);
+        let demand = MechanismLoadCase::from_scene(&scene, ends_m);
         return Some(Shot { verdict: ShotOutcome::of_contact(&scene, &end), demand });
     }
     let (run, verdict) =
         decide(&Arc::new(scene), &Settings::BARE, &mut |_| ControlFlow::Continue(()))?;
-    let demand = MechanismLoadCase::from_scene(&run.scene, run.max_plate_displacement_m);
+    let demand = MechanismLoadCase::from_scene(&run.scene, run.displacements_m());
     Some(Shot { verdict, demand })
 }
 

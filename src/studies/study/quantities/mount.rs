@@ -7,29 +7,29 @@ use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::larger;
 
 /// Returns the minimum mass of a spring for its maximum stored energy, kg; `None` if unknown.
-pub(super) fn min_spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    scene.mechanism.min_spring_kg(spring_energy_j(scene, scene.start_m(), max_displacement_m))
+pub(super) fn min_spring_kg(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f64> {
+    scene.mechanism.min_spring_kg(spring_energy_j(scene, ends_m))
 }
 
-/// Returns the maximum plate displacement of a run with a stopped shot, m. A perforation does not size the springs.
-pub(super) fn stopped_displacement_m(run: &Run) -> Option<f64> {
-    run.max_plate_displacement_m.filter(|_| run.outcome != Outcome::Perforated)
+/// Returns the extreme plate displacements of a run with a stopped shot, m. A perforation does not size the springs.
+pub(super) fn stopped_displacements_m(run: &Run) -> Option<[f64; 2]> {
+    run.displacements_m().filter(|_| run.outcome != Outcome::Perforated)
 }
 
 /// Returns the given mass of the springs, else their minimum mass, kg.
-fn spring_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    Inertia::from_scene(scene).spring_kg(min_spring_kg(scene, max_displacement_m))
+fn spring_kg(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f64> {
+    Inertia::from_scene(scene).spring_kg(min_spring_kg(scene, ends_m))
 }
 
 /// Returns the mass of plate and springs, kg.
-pub(super) fn system_kg(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
-    Some(scene.plate_mass_kg() + spring_kg(scene, max_displacement_m)?)
+pub(super) fn system_kg(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f64> {
+    Some(scene.plate_mass_kg() + spring_kg(scene, ends_m)?)
 }
 
 /// Returns the mass of plate and springs over the face of the plate, kg/m².
-pub(super) fn areal_kg_m2(scene: &Scene, max_displacement_m: Option<f64>) -> Option<f64> {
+pub(super) fn areal_kg_m2(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f64> {
     let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
-    Some(plate_kg_m2 * (1.0 + spring_kg(scene, max_displacement_m)? / scene.plate_mass_kg()))
+    Some(plate_kg_m2 * (1.0 + spring_kg(scene, ends_m)? / scene.plate_mass_kg()))
 }
 
 /// Returns the maximum mount force of a run that ended before the maximum plate displacement, a lower bound.
