@@ -3,7 +3,7 @@
 # depended on their surroundings a hundred times besides.
 #
 #   tests/anywhere.sh             each surrounding once, in the usual profile
-#   tests/anywhere.sh --quick     the surroundings that cost little, the tests of the terminal and of files only
+#   tests/anywhere.sh --quick     two of them that cost little, the tests of the terminal and of files only
 #   tests/anywhere.sh --world     every surrounding but the load, those tests only
 #   tests/anywhere.sh --long      each surrounding with the release profile, which is faster than any test may expect; then the hundred times
 set -euo pipefail
@@ -59,12 +59,19 @@ profile=()
 if [ "$how" = --long ]; then profile=(--release); fi
 
 build "${profile[@]}"
-surrounding "a folder with spaces for temporary files" env TMPDIR="$work/a folder with spaces"
-all "${only[@]}"
-surrounding "no HOME" env -u HOME
-all "${only[@]}"
-surrounding "TERM and LANG unset" env -u TERM -u LANG -u LC_ALL -u LC_CTYPE
-all "${only[@]}"
+temporary=(TMPDIR="$work/a folder with spaces")
+unset=(-u TERM -u LANG -u LC_ALL -u LC_CTYPE)
+if [ "$how" = --quick ]; then
+    surrounding "a folder with spaces, no HOME, TERM and LANG unset" env -u HOME "${unset[@]}" "${temporary[@]}"
+    all "${only[@]}"
+else
+    surrounding "a folder with spaces for temporary files" env "${temporary[@]}"
+    all "${only[@]}"
+    surrounding "no HOME" env -u HOME
+    all "${only[@]}"
+    surrounding "TERM and LANG unset" env "${unset[@]}"
+    all "${only[@]}"
+fi
 surrounding "inside tmux and GNU screen, over SSH, without colours, in few columns" env NO_COLOR=1 TMUX=/tmp/tmux-0/default,1,0 \
     STY=1.pts-0.host SSH_CONNECTION="10.0.0.1 1 10.0.0.2 22" SSH_TTY=/dev/pts/0 COLUMNS=20 LINES=5
 all "${only[@]}"
