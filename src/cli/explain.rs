@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use clap::Args;
-use words::WORDS;
 
 use crate::cli::text::{self, hanging};
 use crate::cli::{CliError, output};
@@ -56,8 +55,8 @@ fn pages(name: &str) -> Result<Vec<String>, CliError> {
     }
     let is_word = |words: &[&str]| words.iter().any(|word| word.eq_ignore_ascii_case(name));
     // `A` and `a` differ.
-    let exact = WORDS.iter().find(|(words, _)| words.contains(&name));
-    let on_screen = exact.or_else(|| WORDS.iter().find(|(words, _)| is_word(words)));
+    let exact = words::all().find(|(words, _)| words.contains(&name));
+    let on_screen = exact.or_else(|| words::all().find(|(words, _)| is_word(words)));
     let choices = VARIABLES.iter().filter(|it| it.keys().contains(&name)).map(variable_page);
     let words: Vec<String> = on_screen
         .into_iter()
@@ -68,7 +67,11 @@ fn pages(name: &str) -> Result<Vec<String>, CliError> {
         return Ok(words);
     }
     let titled = [name, &name.to_lowercase()].map(quantities::named).into_iter().flatten().next();
-    titled.map(|it| vec![quantity_page(it)]).ok_or_else(unknown)
+    if let Some(quantity) = titled {
+        return Ok(vec![quantity_page(quantity)]);
+    }
+    // The line of a page may have a unit or more after its label: `mount force, kN`.
+    name.rsplit_once(", ").and_then(|(label, _)| pages(label).ok()).ok_or_else(unknown)
 }
 
 fn variable_page(variable: &Variable) -> String {
@@ -159,7 +162,7 @@ fn list() -> String {
     );
     page += &Check::WORDS.join(", ");
     page.push_str("\n\n");
-    let words: Vec<&str> = WORDS.iter().flat_map(|(words, _)| words.iter().copied()).collect();
+    let words: Vec<&str> = words::all().flat_map(|(words, _)| words.iter().copied()).collect();
     page += &hanging("WORDS of screens: ", &words.join(", "), 2);
     page.push_str("\n`cmra explain NAME` explains one.\n");
     page
@@ -181,10 +184,10 @@ mod tests {
         does done ease emergent enlarge enter every expo export figure file final find finite first flight flow force \
         four-bar fourth free from greatest heavy-plate helical impact induction inertia input keys last line lists load loaded \
         manufacture many mass meaning measuring method methods mine minimization more move name near next none nothing oasl \
-        order other over overwrite page pane plate play points position presets projectile quit quits rate reduction rejection \
+        order other over overwrite page pane play points position presets quit quits rate reduction rejection \
         relative removes reset result results resume ricochet rigid-mount rotating running same save scenes scroll second \
         sectional shift-tab show shown shows shuttle side simulation small space spacing speed start strain strengt stress \
-        target thesis-base thesis-baseline time times transfer tube type undo unit value values variable variables vary wanted wire \
+        target thesis-base thesis-baseline times transfer tube type undo unit value values variable variables vary wanted wire \
         with would write your zoom";
 
     /// Functions whose string arguments are shown as labels, with the index of the label among them, and fields of labels.
@@ -263,7 +266,7 @@ mod tests {
 
     /// Returns the names that have a page, in lower case: looking up each word would take a minute, of which most is for hints.
     fn explained() -> BTreeSet<String> {
-        let words = WORDS.iter().flat_map(|(words, _)| words.iter().copied()).chain(Check::WORDS);
+        let words = words::all().flat_map(|(words, _)| words.iter().copied()).chain(Check::WORDS);
         let choices = VARIABLES.iter().flat_map(|it| it.keys().iter().copied());
         let fixed =
             VARIABLES.iter().flat_map(|it| it.aliases.iter().copied().chain([it.symbol, it.key]));
@@ -373,9 +376,15 @@ mod tests {
             "rebound",
             "stroke",
             "interface",
+            "CUT",
+            "surge",
+            "Tate",
+            "law alone",
+            "base plate",
+            "RMS error",
         ];
         let choices = VARIABLES.iter().flat_map(|it| it.keys().iter().copied());
-        let listed = WORDS.iter().flat_map(|(words, _)| words.iter().copied());
+        let listed = words::all().flat_map(|(words, _)| words.iter().copied());
         let modes = ContactMode::ALL.iter().map(|it| it.word());
         let of_rows = EventKind::ALL.iter().map(|it| it.words()).chain(modes);
         for word in words.into_iter().chain(choices).chain(listed).chain(of_rows) {
@@ -388,7 +397,7 @@ mod tests {
     #[test]
     fn a_word_has_one_explanation() {
         let mut words: Vec<&str> =
-            WORDS.iter().flat_map(|(words, _)| words.iter().copied()).collect();
+            words::all().flat_map(|(words, _)| words.iter().copied()).collect();
         let count = words.len();
         words.sort_unstable();
         words.dedup();

@@ -1,5 +1,7 @@
 //! The one table of quantities, the inputs by name, face and mass, and the envelope of validity, as a user meets them.
 
+use std::collections::BTreeSet;
+
 use cmra_engine::model::run::RunResult;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{RunSnapshot, Settings, simulate};
@@ -8,7 +10,7 @@ use cmra_studies::study::envelope::Check;
 use cmra_studies::study::quantities::find;
 use serde_json::Value;
 
-use crate::support::says;
+use crate::support::{cmra, printed, says};
 
 fn object(command: &str, arguments: &[&str], code: i32) -> Value {
     let (text, _) = says(command, &[arguments, &["--json"]].concat(), code);
@@ -128,6 +130,57 @@ fn variables_and_quantities_are_explained() {
     }
     let (_, error) = says("explain", &["thicknes"], 2);
     assert!(error.contains("neither a variable ("), "{error}");
+    let (_, error) = says("explain", &["stoke"], 2);
+    assert!(error.contains("nor a quantity (did you mean `stroke_m`"), "{error}");
+}
+
+/// Returns the labels of a page: what stands before two blanks and a text, without numbers and pictures, and all headings of columns.
+fn labels(page: &str) -> Vec<String> {
+    let lines = page.lines().filter(|line| !line.starts_with(['|', '+']) && !line.contains('!'));
+    let parts = lines.flat_map(|line| {
+        let parts: Vec<&str> = line.trim().split("  ").collect();
+        let is_head = parts.iter().all(|part| !part.contains(|c: char| c.is_ascii_digit()));
+        let shown = if parts.len() < 2 {
+            0
+        } else if is_head && line.starts_with("   ") || parts[0] == "scene" {
+            parts.len()
+        } else {
+            1
+        };
+        parts.into_iter().take(shown).map(str::trim).collect::<Vec<_>>()
+    });
+    let is_label = |part: &&str| !part.is_empty() && !part.contains(|c: char| c.is_ascii_digit());
+    parts.filter(is_label).map(str::to_owned).collect()
+}
+
+/// Of `design` the name comes last, before its source in brackets.
+#[test]
+fn every_label_of_a_page_is_explained() {
+    let mut all = BTreeSet::new();
+    for (study, scenes) in [
+        (
+            "run",
+            "; spring=helix d=0.1; interface=plastic b=20 x_stop=5mm weight=on; v_i=400; gamma=0.5 interface=plastic g=0; own_mass=counted",
+        ),
+        ("limit", "; b=100; mount=rigid"),
+        ("compare", "; own_mass=counted"),
+    ] {
+        for changes in scenes.split(';') {
+            let set = changes.split_whitespace().flat_map(|change| ["--set", change]);
+            all.extend(labels(&printed(study, &set.collect::<Vec<_>>())));
+        }
+    }
+    for changes in [&[][..], &["--set", "mount=rigid", "--c-t", "1"]] {
+        let page = printed("design", changes);
+        let names = page.lines().filter(|line| line.starts_with("     "));
+        let names = names.filter_map(|line| line.trim().split_once("  "));
+        all.extend(names.map(|(_, name)| name.trim().split(" (").next().unwrap().to_owned()));
+    }
+    all.extend(labels(&printed("stability", &["thesis-baseline"])));
+    assert!(all.len() > 60, "{all:?}");
+    let is_known = |label: &&String| cmra("explain", &[label]).output().unwrap().status.success();
+    let unknown: Vec<&String> = all.iter().filter(|label| !is_known(label)).collect();
+    assert!(unknown.is_empty(), "{unknown:#?}");
 }
 
 /// By the name that begins its line below a run; a name that a variable has, too, explains both.

@@ -41,7 +41,8 @@ pub fn nearest(name: &str) -> String {
         // Words such as `depth` occur only in meanings.
         let mut meaning = quantity.meaning.split(|c: char| !c.is_alphanumeric() && c != '_');
         let is_meant = lower.len() > 2 && meaning.any(|word| word == lower);
-        let far = distance(&lower, quantity.name);
+        let far =
+            distance(&lower, quantity.name).min(strsim::osa_distance(&lower, quantity.bare()));
         (if is_meant { far.min(1) } else { far }, quantity.name)
     };
     // Among equally near quantities the most frequently used come first.
