@@ -43,7 +43,8 @@ pub(super) struct RunArguments {
     /// Compare the contact models of thesis section 8.2 on this scene: Table 8.1 with numbers
     #[arg(long, value_name = "WHAT", conflicts_with_all = ["plain", "svg"], value_parser = ["models"])]
     compare: Option<String>,
-    /// Write the rows of --csv at equal time steps, for example 1us, instead of at the solver's own steps
+    /// Write the rows of --csv at equal time steps, for example 1us, and at the end, instead of at the solver's own steps; for a single
+    /// plate with model=hydrodynamic
     #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare", value_parser = above_zero(Dimension::Time, "1us"))]
     dt: Option<f64>,
     /// Compare with measured traces or another program's histories: a CSV file with a column of time and any of penetration, plate
@@ -73,9 +74,17 @@ pub(super) fn compute(scene: &Arc<Scene>) -> Result<Run, VariableError> {
 
 /// Runs the scene with the time series at equal time steps.
 fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
-    variables::require_hydrodynamic(scene)?;
-    variables::require_single(scene)?;
-    let end_s = compute_by(scene, Settings::SERIES)?.series.last().map_or(0.0, |row| row.t_s);
+    if scene.contact.model != ContactModel::Hydrodynamic || scene.is_stack() {
+        let model = scene.contact.model.word();
+        let found =
+            if scene.is_stack() { "a stack".to_owned() } else { format!("model = {model}") };
+        return Err(CliError::Option(format!(
+            "--dt: rows at equal time steps are for a single plate with model = hydrodynamic, and this scene has {found}; omit --dt for the \
+             rows that the run itself has, or change the scene"
+        )));
+    }
+    let end = compute_by(scene, Settings::SERIES)?.series.pop();
+    let end_s = end.as_ref().map_or(0.0, |row| row.t_s);
     let most = EVERY_ROWS_MAX as f64;
     if end_s >= most * dt_s {
         let least = engineering(end_s / most, "s", 2);

@@ -368,6 +368,24 @@ fn rows_at_equal_time_steps_are_located_and_not_interpolated() {
 }
 
 #[test]
+fn equal_time_steps_are_refused_in_their_own_words() {
+    let place = Place::new();
+    for (set, word) in [
+        ("model=half-sine", "model = half-sine"),
+        ("model=lumped", "model = lumped"),
+        ("h_base=10mm", "a stack"),
+    ] {
+        let done = place.cmra(&format!("run --csv - --dt 10us --set {set}"));
+        assert_eq!(done.code, 2, "{}", done.out);
+        let is_own = done.err.contains("--dt: ") && done.err.contains(word);
+        assert!(is_own && !done.err.contains("study"), "{}", done.err);
+    }
+    let help = place.cmra("run --help").out;
+    let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(help.contains("for a single plate with model=hydrodynamic"), "{help}");
+}
+
+#[test]
 fn csv_reads_back_the_same_floats() {
     let place = Place::new();
     let done = place.cmra("run free-plate --csv out.csv");
