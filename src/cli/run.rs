@@ -20,7 +20,7 @@ use crate::files::preset::Preset;
 use crate::files::read_traces::traces;
 use crate::tui::plain::TextStyle;
 use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
-use cmra_engine::model::run::{EVERY_ROWS_MAX, Run};
+use cmra_engine::model::run::{EVERY_ROWS_MAX, Run, Sample};
 use cmra_engine::model::scene::{ContactModel, Scene};
 use cmra_engine::model::simulate::{self, RunSnapshot, Settings};
 use cmra_engine::model::units::{Dimension, engineering};
@@ -92,7 +92,11 @@ fn at_equal_steps(scene: &Arc<Scene>, dt_s: f64) -> Result<Run, CliError> {
             "--dt: more than {EVERY_ROWS_MAX} rows; write {least} or more"
         )));
     }
-    Ok(compute_by(scene, Settings { every_s: Some(dt_s), ..Settings::default() })?)
+    let mut run = compute_by(scene, Settings { every_s: Some(dt_s), ..Settings::default() })?;
+    // Without it the last events would stand in a row before them.
+    let is_before = |last: &Sample| last.t_s < end_s * (1.0 - 4.0 * f64::EPSILON);
+    run.series.extend(end.filter(|_| run.series.last().is_some_and(is_before)));
+    Ok(run)
 }
 
 fn compute_by(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError> {

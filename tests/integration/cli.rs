@@ -341,7 +341,8 @@ fn rows_at_equal_time_steps_are_located_and_not_interpolated() {
             .records()
             .map(|row| row.unwrap().iter().map(|field| field.parse().unwrap_or(f64::NAN)).collect())
             .collect();
-        for (number, row) in rows.iter().enumerate() {
+        // The last row is that of the end.
+        for (number, row) in rows.iter().enumerate().take(rows.len() - 1) {
             assert!((row[0] - 1e-5 * number as f64).abs() < 1e-12, "{scene} {number}: {}", row[0]);
         }
         for number in horizons {
@@ -365,6 +366,12 @@ fn rows_at_equal_time_steps_are_located_and_not_interpolated() {
     for bad in ["--dt 0", "--dt 5kg", "--dt -1us"] {
         assert_eq!(place.cmra(&format!("run --csv even.csv --force {bad}")).code, 2, "{bad}");
     }
+    // A single row besides that of the end.
+    let rows = place.cmra("run --csv - --dt 1").out;
+    let rows: Vec<&str> = rows.lines().skip(1).collect();
+    assert!(rows[0].starts_with("0,") && rows[0].ends_with(','), "{rows:?}");
+    assert!(rows[1].ends_with(",projectile first stops; greatest displacement"), "{rows:?}");
+    assert_eq!(rows.len(), 2);
 }
 
 #[test]
