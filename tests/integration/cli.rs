@@ -392,6 +392,21 @@ fn equal_time_steps_are_refused_in_their_own_words() {
     assert!(help.contains("for a single plate with model=hydrodynamic"), "{help}");
 }
 
+/// The overdamped plate creeps to its neutral position, which it left at time 0; the other scenes are not cocked, and level at theta = 0.
+#[test]
+fn pages_show_no_rounding_as_a_value() {
+    let place = Place::new();
+    let page = place.cmra("run --set gamma=5 --set w_0=-30 --set v_i=30 --set b=2000").out;
+    assert!(page.contains("max plate displacement  0 m\n"), "{page}");
+    assert!(!page.contains(" fm") && !page.contains("(stored energy)"), "{page}");
+    let page = place.cmra("run --set spring=bistable").out;
+    assert!(!page.contains("cocked spring"), "{page}");
+    let page = place.cmra("sensitivity --over theta=0deg..60deg").out;
+    assert!(page.contains(" 0 m for +0.1"), "{page}");
+    let rows = place.cmra("run --set d=0.1 --set x_stop=0 --set e=0 --csv -").out;
+    assert!(rows.contains("held by the stop") && !rows.contains(",-0,"), "{rows}");
+}
+
 #[test]
 fn csv_reads_back_the_same_floats() {
     let place = Place::new();

@@ -262,9 +262,24 @@ pub fn engineering(value: f64, unit: &str, digits: usize) -> String {
     if unit == "kg" && value.abs() < 1e3 {
         return engineering(1e3 * value, "g", digits);
     }
+    let value = if takes_prefix(unit) { without_rounding(value) } else { value };
     let prefix = Prefix::for_unit(value, unit);
     let number = fixed_significant(value / prefix.size, digits);
     format!("{number} {}{unit}", prefix.letter).trim_end().to_owned()
+}
+
+/// Smallest value with a prefix on pages, a thousandth of the smallest prefix: less is left by rounding alone.
+const LEAST: f64 = 1e-18;
+
+/// Returns a value in an SI unit as pages show it: zero in place of what rounding leaves.
+pub fn without_rounding(value: f64) -> f64 {
+    if value.abs() < LEAST { 0.0 } else { value }
+}
+
+/// Returns `true` for a unit before which a prefix stands: not kg, powers, angles, numbers and pure numbers. km3 is not 1000 m3.
+fn takes_prefix(unit: &str) -> bool {
+    let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
+    leading.chars().all(char::is_alphabetic) && !matches!(leading, "" | "kg" | "deg" | "rad")
 }
 
 /// Formats a velocity: `230.0 m/s`.
@@ -298,18 +313,14 @@ impl Prefix {
         Self { size: 1e-15, in_one: 1e15, letter: "f" },
     ];
 
-    /// Chooses the prefix for a value in a unit. Units that begin with kg, powers, angles, numbers and pure numbers take none: km3 is not
-    /// 1000 m3.
+    /// Chooses the prefix for a value in a unit; none for a unit that takes none.
     pub fn for_unit(value: f64, unit: &str) -> Self {
-        let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
-        let is_plain = leading.chars().all(char::is_alphabetic);
-        let takes_prefix = is_plain && !matches!(leading, "" | "kg" | "deg" | "rad");
-        if takes_prefix { Self::for_value(value) } else { Self::NONE }
+        if takes_prefix(unit) { Self::for_value(value) } else { Self::NONE }
     }
 
     /// Chooses the prefix that brings a value into the range 1 to 1000.
     pub fn for_value(value: f64) -> Self {
-        let magnitude = value.abs();
+        let magnitude = without_rounding(value).abs();
         if magnitude == 0.0 || !magnitude.is_finite() {
             return Self::NONE;
         }
@@ -347,6 +358,21 @@ mod tests {
             assert_eq!(below(value), format!("< {bound}"));
         }
         assert_eq!([0.96, 3.0, 11.0].map(below), ["< 1e0", "< 3e0", "< 2e1"].map(str::to_owned));
+    }
+
+    /// A swing of 3.3e-18 m on a steep spring is one; 1e-27 m is what rounding leaves of zero.
+    #[test]
+    fn what_rounding_leaves_is_shown_as_zero() {
+        for (value, unit, shown) in [
+            (1.005_96e-27, "m", "0 m"),
+            (-9.122e-26, "m", "0 m"),
+            (1.8e-54, "J", "0 J"),
+            (3.3e-18, "m", "0.003300 fm"),
+            (1.947e-9, "m", "1.947 nm"),
+            (1e-27, "", "1.000e-27"),
+        ] {
+            assert_eq!(engineering(value, unit, 4), shown);
+        }
     }
 
     #[test]

@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use crate::report::table::texts;
-use crate::report::table::{Table, pretty};
+use crate::report::table::{Table, pretty, texts, unsigned_zero};
 use crate::report::traces::Traces;
 use crate::report::verdict;
 use crate::study::envelope::warnings;
@@ -271,7 +270,7 @@ fn result(run: &Run, quantity: &Quantity) -> Value {
         let whole = value.and_then(|count| format!("{count:.0}").parse().ok());
         return whole.map_or(Value::Null, Value::Number);
     }
-    value.into()
+    unsigned_zero(value.into())
 }
 
 /// Term of the energy ledger: its name in JSON, its label on pages, and its value.
@@ -315,13 +314,14 @@ fn all_variables(scene: &Scene) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use crate::study::testing::run_of;
     use super::*;
+    use crate::study::testing::run_of;
     use cmra_engine::model::run::{ContactMode, RunWarning};
 
     fn sample(t_s: f64, penetration_m: f64, mode: ContactMode) -> Sample {
         Sample { t_s, mode, penetration_m, ..Sample::default() }
     }
+
     /// What a fused interface would have to bear at a rigid stop is its push, not the force of the contact.
     #[test]
     fn the_peak_of_a_comparison_is_that_of_the_page() {
@@ -330,7 +330,6 @@ mod tests {
         let peak = &table.cells(&["peak_contact_force_n"])[0].cells[0];
         assert_eq!(*peak, fixed_significant(1e-3 * run.peak_contact_force_n.unwrap(), 4));
     }
-
 
     fn jump() -> Vec<Sample> {
         vec![

@@ -8,6 +8,10 @@ use crate::report::table::Table;
 use crate::study::sensitivity::{Effect, POINTS, SensitivityReport};
 use cmra_engine::model::units::{Dimension, in_unit, significant};
 
+/// Part of the result that a change must exceed: of the 1e-12 to which results are known, a slope over a thousandth of the value makes at
+/// most 5e-11 in a step of a tenth of it.
+const ROUNDING: f64 = 1e-10;
+
 /// Number of cells of a bar.
 pub const CELLS: usize = 8;
 
@@ -153,6 +157,12 @@ pub fn slope_words(
     let size = if own == 0.0 { 0.1 * (high - low).abs() } else { own.abs() };
     let step = 10f64.powf((shown.in_one * size).log10().floor() - 1.0);
     let by = slope * step / shown.in_one;
+    let result = report.own.and_then(|own| own.result);
+    let by = if by.abs() < result.map_or(0.0, |it| ROUNDING * it.abs()) { 0.0 } else { by };
+    if by == 0.0 {
+        let step = format!("{} {}", significant(step, 1), shown.unit);
+        return Some(format!("{} for +{}", report.output.show(0.0, 2), step.trim_end()));
+    }
     let sign = if by < 0.0 { "-" } else { "+" };
     let by = report.output.show(by.abs(), 2);
     let step = format!("{} {}", significant(step, 1), shown.unit);

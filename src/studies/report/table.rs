@@ -10,7 +10,9 @@ use serde_json::{Map, Value};
 
 use crate::study::context::Reach;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::units::{NO_NUMBER, Prefix, fixed_significant, shortest, significant};
+use cmra_engine::model::units::{
+    NO_NUMBER, Prefix, fixed_significant, shortest, significant, without_rounding,
+};
 
 const DIGITS: usize = 4;
 /// Blanks between two columns of a page, and those of a table that would not fit otherwise.
@@ -58,7 +60,7 @@ impl<'c, R> Table<'c, R> {
         unit: &'static str,
         get: impl Fn(&R) -> T + 'c,
     ) -> Self {
-        let get = Box::new(move |row: &R| get(row).into());
+        let get = Box::new(move |row: &R| unsigned_zero(get(row).into()));
         self.columns.push(Column { key, label: label.into(), unit, get, shown: None });
         self
     }
@@ -174,9 +176,11 @@ impl<'c, R> Table<'c, R> {
             sizes.fold(0.0, |a: f64, b| a.max(b.abs()))
         };
         let of = |(column, values): &(&Column<'_, R>, Vec<Value>)| {
-            let takes_prefix = matches!(column.unit, "m" | "s" | "N" | "J" | "Pa");
-            let prefix =
-                if takes_prefix { Prefix::for_value(size(column.unit)) } else { Prefix::NONE };
+            let prefix = if column.takes_prefix() {
+                Prefix::for_value(size(column.unit))
+            } else {
+                Prefix::NONE
+            };
             let rows = self.rows.iter().zip(values);
             let gap = if column.unit.is_empty() { "" } else { ", " };
             Cells {
@@ -190,6 +194,10 @@ impl<'c, R> Table<'c, R> {
 }
 
 impl<R> Column<'_, R> {
+    fn takes_prefix(&self) -> bool {
+        matches!(self.unit, "m" | "s" | "N" | "J" | "Pa")
+    }
+
     /// Formats a value for a page.
     fn text(&self, row: &R, value: &Value, prefix: Prefix) -> String {
         let own = self.shown.as_ref().and_then(|shown| shown(row, value));
@@ -197,7 +205,9 @@ impl<R> Column<'_, R> {
             Value::Null => NO_NUMBER.to_owned(),
             // In a few digits, those before the point among them.
             Value::Number(number) if number.is_f64() => {
-                let value = number.as_f64().unwrap_or(f64::NAN) / prefix.size;
+                let value = number.as_f64().unwrap_or(f64::NAN);
+                let value = if self.takes_prefix() { without_rounding(value) } else { value };
+                let value = value / prefix.size;
                 let is_long = value.abs() >= 1e4;
                 if is_long { significant(value, DIGITS) } else { fixed_significant(value, DIGITS) }
             }
@@ -287,6 +297,11 @@ fn is_formula(text: &str) -> bool {
     text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.len() > 1
 }
 
+/// A zero without the sign that arithmetic leaves on it.
+pub(super) fn unsigned_zero(value: Value) -> Value {
+    if value.as_f64() == Some(0.0) && value.is_f64() { 0.0.into() } else { value }
+}
+
 fn field(value: &Value) -> Cow<'_, str> {
     match value {
         Value::Null => Cow::Borrowed(""),
@@ -320,6 +335,18 @@ mod tests {
             .with("name", "name", "", |row: &Row| row.0)
             .with("depth_m", "depth", "m", |row: &Row| row.1)
             .with("steps", "steps", "", |row: &Row| row.2)
+    }
+
+    #[test]
+    fn a_zero_has_no_sign_and_no_column_is_in_a_unit_of_rounding() {
+        let of = |value: f64| {
+            let rows = [("a", Some(value), 0)];
+            Table::new(rows).with("stroke_m", "stroke", "m", |row: &Row| row.1)
+        };
+        assert_eq!(of(-0.0).csv(), "stroke_m\n0\n");
+        assert!(!of(-0.0).json().contains("-0"));
+        assert_eq!(grid(&of(9.122e-26).cells(&["stroke_m"]), 80), "stroke, m\n        0\n");
+        assert_eq!(of(9.122e-26).csv(), "stroke_m\n9.122e-26\n");
     }
 
     /// A spreadsheet computes what begins with such a sign; numbers stay numbers.

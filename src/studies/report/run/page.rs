@@ -18,6 +18,7 @@ use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::{EstimateBasis, Event, Outcome, Run, RunResult};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::units::{self, engineering, fixed_significant};
+use cmra_engine::numerics::larger;
 
 /// Size of a chart below the results.
 const SIZE: Size = (78, 15);
@@ -288,9 +289,11 @@ fn events_in_brief(run: &Run) -> Vec<Block> {
 /// unknown.
 pub fn energy(run: &Run) -> Vec<Block> {
     let ledger = &run.ledger;
+    let whole_j = larger(ledger.initial_j().abs(), ledger.final_j().abs());
     let terms = |parts: &[LedgerPart]| -> Vec<(&'static str, f64)> {
         let terms = parts.iter().map(|(_, label, get)| (*label, get(ledger)));
-        terms.filter(|term| term.1 != 0.0).collect()
+        // Rounding leaves such a part of the whole.
+        terms.filter(|term| term.1.abs() > f64::EPSILON * whole_j).collect()
     };
     let (start, end) = ENERGY.split_at(AT_START);
     let start = terms(start);
@@ -373,7 +376,12 @@ fn error(run: &Run) -> Option<String> {
 /// Describes the largest error estimate of all results.
 fn largest_error(run: &Run) -> Option<String> {
     run.estimate.main?;
-    let estimates = run.estimate.by_result.iter();
+    // A result that is zero but for rounding has no relative error.
+    let is_shown = |name: &str| {
+        let value = quantities::find(name).and_then(|it| it.value(run));
+        value.is_none_or(|value| units::without_rounding(value) != 0.0)
+    };
+    let estimates = run.estimate.by_result.iter().filter(|it| is_shown(it.0));
     let (name, error) = estimates.max_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(format!("{} of all results ({})", units::below(*error), quantities::find(name)?.title()))
 }
