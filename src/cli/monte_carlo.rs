@@ -20,8 +20,9 @@ use cmra_studies::study::verdict::Verdict;
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = format!("DISTRIBUTION is normal:WIDTH or lognormal:WIDTH, a standard deviation about the scene's own value, or uniform:LO..HI; WIDTH \
-    is a percentage of that value, or has a unit: normal:2%, normal:0.1mm. \
+    after_help = format!("DISTRIBUTION is normal:WIDTH, where the scene's own value is the mean and WIDTH the standard deviation; lognormal:WIDTH, where the \
+    scene's own value is the median and WIDTH over it the standard deviation of the natural logarithm; or uniform:LO..HI. WIDTH is a \
+    percentage of the scene's own value, or has a unit: normal:2%, normal:0.1mm. \
     A draw outside the allowed range is repeated, which truncates the distribution; the page reports how often.\n\
     Memory: eight bytes for each sample and result; at most {} million samples.", SAMPLES.end() / 1_000_000)
 )]

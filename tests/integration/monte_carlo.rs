@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{json, number, says};
+use crate::support::{json, number, printed, says};
 
 /// Velocities uniform about the rigid limit of 232.295378 m/s in closed form: half perforate.
 #[test]
@@ -51,6 +51,32 @@ fn the_page_has_inputs_outcomes_and_quantiles_and_a_seed_fixes_the_digits() {
         0,
     );
     assert!(page.contains("truncated:"), "{page}");
+}
+
+/// A width of 50 % of the logarithm has a mean of exp(1/8) and a standard deviation of (e^(1/4) - 1)^(1/2) of the mean.
+#[test]
+fn widths_have_their_units_and_a_lognormal_one_is_of_the_logarithm() {
+    let vary = |how: &str| {
+        let how = format!("--set m_2=1 --vary {how} --outputs plate_mass_kg --samples 4000");
+        let words: Vec<&str> = how.split(' ').collect();
+        (printed("montecarlo", &words), json("montecarlo", &words)["outputs"][0].clone())
+    };
+    for (typed, shown) in [
+        ("m_2=normal:5%", "m_2=normal:0.05kg"),
+        ("v_i=normal:2%", "v_i=normal:2m/s"),
+        ("h=uniform:24mm..27mm", "h=uniform:0.024m..0.027m"),
+    ] {
+        let (page, _) = vary(typed);
+        assert!(page.contains(&format!("  {shown}\n")), "{page}");
+    }
+    let (_, found) = vary("m_2=lognormal:50%");
+    let mean = 0.125_f64.exp();
+    let deviation = mean * 0.25_f64.exp_m1().sqrt();
+    assert!((number(&found["mean"]) / mean - 1.0).abs() < 0.05, "{found}");
+    assert!((number(&found["deviation"]) / deviation - 1.0).abs() < 0.1, "{found}");
+    let (help, _) = says("montecarlo", &["--help"], 0);
+    let help = help.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(help.contains("standard deviation of the natural logarithm"), "{help}");
 }
 
 /// V50 is corrected for the known error of the class of shots; the bare limit stands beside it, and options replace the known error.

@@ -52,11 +52,13 @@ impl fmt::Debug for Tolerance {
     }
 }
 
-/// Writes the notation of `--vary`, with numbers in the stored unit: `v_i=lognormal:2%`, `h=uniform:0.024..0.027`.
+/// Writes the notation of `--vary`, with numbers in the stored unit: `v_i=lognormal:2%`, `h=uniform:0.024m..0.027m`.
 impl fmt::Display for Tolerance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let unit = if self.variable.unit() == "deg" { "deg" } else { "" };
-        let show = |value: f64| units::shortest(value) + unit;
+        // A shell would take blanks and brackets as its own; the number is then in the stored unit.
+        let unit = self.variable.unit();
+        let unit = if unit.contains([' ', '(']) { "" } else { unit };
+        let show = |value: f64| significant(value, 12) + unit;
         let Distribution(kind, (a, b)) = self.distribution;
         write!(f, "{}={}:", self.symbol(), kind.word())?;
         match kind {
