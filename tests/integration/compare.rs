@@ -135,6 +135,18 @@ fn an_armour_that_pays_only_by_a_massless_damper_says_so() {
     assert!(page.contains("damper: takes up energy, and its mass is not counted"), "{page}");
 }
 
+#[test]
+fn a_missing_mount_impulse_has_its_reason() {
+    let reason = "mount impulse: known of model = hydrodynamic alone";
+    assert!(!printed("compare", &[]).contains(reason));
+    for model in ["model=half-sine", "model=lumped"] {
+        let page = printed("compare", &["--set", model]);
+        assert!(page.contains(reason), "{page}");
+    }
+    let (page, _) = says("explain", &["mount impulse"], 0);
+    assert!(page.contains("known of model = hydrodynamic alone"), "{page}");
+}
+
 /// Each row of the file has the warnings of its own point: 90 m/s is not below 50 m/s.
 #[test]
 fn a_map_has_the_warnings_of_each_point() {

@@ -19,7 +19,7 @@ use crate::study::limit::RANGE_M_S;
 use crate::study::quantities::{EXPECTED, Quantity, find};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Warning;
-use cmra_engine::model::scene::{PlateSize, Scene};
+use cmra_engine::model::scene::{ContactModel, PlateSize, Scene};
 use cmra_engine::model::units::{fixed_significant, significant, velocity};
 
 pub mod page;
@@ -330,6 +330,9 @@ pub fn reasons(report: &ComparisonReport) -> Vec<String> {
     if let Some(ratio) = report.depth_over_solid() {
         let percent = 100.0 * (ratio - 1.0);
         lines.push(format!("depth {percent:+.1} % against the solid plate of equal areal mass"));
+    }
+    if report.scene.contact.model != ContactModel::Hydrodynamic {
+        lines.push("mount impulse: known of model = hydrodynamic alone".to_owned());
     }
     lines
 }
