@@ -1,5 +1,6 @@
 //! Scene of a command: SCENE, then library entries, then every `--set` in order.
 
+use std::collections::BTreeSet;
 use std::ffi::{OsStr, OsString};
 use std::io;
 use std::path::Path;
@@ -162,7 +163,13 @@ impl SceneOverrides {
     fn heading(&self, name: &str) -> Option<String> {
         let entries = self.entries().map(|(library, name)| format!("{} {name}", library.key()));
         let entries: Vec<String> = entries.collect();
-        let set = match self.set.len() {
+        // The last of several values of a variable is the one that holds.
+        let changed = |argument: &String| match variable_of(argument) {
+            Some(variable) => variable.key.to_owned(),
+            None => argument.split('=').next().unwrap_or_default().trim().to_owned(),
+        };
+        let changed: BTreeSet<String> = self.set.iter().map(changed).collect();
+        let set = match changed.len() {
             0 if entries.is_empty() => return None,
             0 => String::new(),
             1 => ": 1 change".to_owned(),

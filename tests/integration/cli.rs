@@ -844,6 +844,8 @@ fn a_changed_scene_is_headed_by_what_it_is() {
         assert!(!done.out.contains("Baseline of chapter 9"), "{command}: {}", done.out);
     }
     assert_eq!(head("run").as_deref(), Some("thesis-baseline: Baseline of chapter 9"));
+    let twice = in_folder(place.path(), "run --set k=2 --set k=3").out;
+    assert!(twice.contains("from thesis-baseline: 1 change\n"), "{twice}");
     let threat =
         in_folder(place.path(), "run --threat fsp-22 --material aa6061-t651 --set gamma=2");
     let made = "threat fsp-22, material aa6061-t651, from thesis-baseline: 1 change";
