@@ -210,3 +210,23 @@ fn valid_a_bounce_off_a_stop_without_loss_loads_the_spring_as_no_stop_does() {
         assert_eq!((yields(&with), yields(&without)), [spring.contains("prbm"); 2].into());
     }
 }
+
+/// A plate that turns has its greatest displacement then, not where it is almost there.
+#[test]
+fn valid_the_time_of_the_greatest_displacement_is_that_of_the_reversal() {
+    for pairs in
+        ["b=5000", "b=10000 m=2", "w_0=20", "model=half-sine", "stop_kind=elastic x_stop=5mm"]
+    {
+        for tolerance in ["1e-6", "1e-9", "1e-12"] {
+            let found = run(&format!("{pairs} tol={tolerance}"));
+            let events = found["events"].as_array().unwrap();
+            let turn = events.iter().find(|it| it["event"] == "greatest displacement").unwrap();
+            let time_s = number(&found, "max_plate_displacement_time_s");
+            assert_near(time_s, number(turn, "time_s"), 1e-12);
+        }
+    }
+    // The line k x turns two bodies of 29.5 g that start as one after a quarter of their period.
+    let found = run("model=initial-velocity k=1e5");
+    let quarter_s = std::f64::consts::FRAC_PI_2 * (0.059f64 / 1e5).sqrt();
+    assert_near(number(&found, "max_plate_displacement_time_s"), quarter_s, 1e-9);
+}

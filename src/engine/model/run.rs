@@ -29,7 +29,7 @@ pub use warning::{NotModelled, RunWarning};
 /// Work of a step, a reversal or a contact event besides its evaluations of the equations of motion, as a number of evaluations.
 const STEP_WORK: usize = 60;
 
-/// Tolerance of the time of maximum displacement, relative to the displacement.
+/// Tolerance of the displacement of a reversal for that of the maximum, which can follow from the energy.
 const REACHED: f64 = 1e-6;
 
 /// End of the time range of a chart of the contact, relative to the end of the contact; beyond it, so that the end is visible.
@@ -306,6 +306,8 @@ pub struct MechanismLoad {
     pub added_kg: Option<f64>,
     /// Mass of the springs, kg; `None` if unknown.
     pub spring_mass_kg: Option<f64>,
+    /// Displacement, m, and time, s, of the plate's reversal farthest ahead; a hit on the stop is one. `None` if it was not followed so far.
+    pub turn: Option<[f64; 2]>,
     /// Minimum displacement of the plate over the whole motion, rebound included, m; `None` on a rigid mount, or if unknown.
     pub backmost_m: Option<f64>,
     /// Maximum of the total force of spring, damper and elastic stop over the whole motion, rebound included, N; `None` on a rigid mount.
@@ -416,11 +418,14 @@ impl Run {
         Some([self.mechanism.backmost_m.unwrap_or_else(|| self.scene.start_m()), far_m])
     }
 
-    /// Returns the time of maximum displacement, s; `None` if the time series ends before.
+    /// Returns the time of maximum displacement, s; of a plate that is held or creeps there, when it is there within a tolerance. `None` if
+    /// the time series ends before.
     pub fn max_displacement_time_s(&self) -> Option<f64> {
         let far_m = self.max_plate_displacement_m.filter(|_| self.scene.is_sprung())?;
-        let is_there = |row: &&Sample| far_m - row.plate_displacement_m <= REACHED * far_m.abs();
-        self.series.iter().find(is_there).map(|row| row.t_s)
+        let is_there = |x_m: f64| far_m - x_m <= REACHED * far_m.abs();
+        let turned = self.mechanism.turn.filter(|[x_m, _]| is_there(*x_m)).map(|[_, t_s]| t_s);
+        let shown = || self.series.iter().find(|row| is_there(row.plate_displacement_m));
+        turned.or_else(|| shown().map(|row| row.t_s))
     }
 
     /// Returns the work of the projectile's weight over the stroke, relative to the kinetic energy of the impact; `None` without a stroke.

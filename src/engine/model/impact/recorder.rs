@@ -46,6 +46,8 @@ pub(super) struct Recorder {
     pub(super) farthest_m: f64,
     /// Time of the maximum displacement, s.
     pub(super) farthest_s: f64,
+    /// Displacement, m, and time, s, of the reversal farthest ahead; a hit on the stop is one.
+    pub(super) turn: Option<[f64; 2]>,
     /// Maximum speed of the plate, m/s; without rotation only at ends of steps and before events.
     pub(super) fastest_m_s: f64,
     /// Whether the plate was locked up to the first arrest.
@@ -153,8 +155,7 @@ impl Recorder {
         self.draw(equations, &path);
     }
 
-    /// Notes the displacements on a step. A free plate turns at an event; one that a spring holds is where the forces balance, and farthest
-    /// where the contact's force is greatest.
+    /// Notes the displacements on a step. A plate that a spring holds is farthest where the contact's force is greatest.
     fn note_displacements(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         if equations.mode.hold == PlateConstraint::Spring {
             let greatest_m =
@@ -345,6 +346,11 @@ impl Recorder {
             _ => {}
         }
         let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
+        let known_m = self.turn.map_or(f64::NEG_INFINITY, |[known_m, _]| known_m);
+        let x_m = after.shown_displacement_m(to.x_m);
+        if turns && before.mode.w_side > 0.0 && x_m - known_m > 4.0 * f64::EPSILON * x_m.abs() {
+            self.turn = Some([x_m, to.t_s]);
+        }
         self.cost.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
         self.note_mount(after, to);
         if after.mode.contact == Contact::Fused && after.mode.hold == PlateConstraint::Free {

@@ -233,6 +233,7 @@ impl ImpactRun<'_> {
             yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
             added_kg: positive(inertia.added_kg),
             spring_mass_kg: inertia.spring_mass_kg,
+            turn: self.record.turn.filter(|_| !self.setup.is_rigid_mount),
             backmost_m: ends.map(|[back_m, _]| back_m),
             peak_mount_n: (!self.setup.is_rigid_mount).then_some(self.record.loads.mount_n),
             rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),

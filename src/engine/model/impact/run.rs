@@ -90,8 +90,9 @@ pub(super) fn run<const S: usize>(
         end = progress.extend_for_output(observer);
     }
     // The results are those at the decision; rows, events and loads include the continued run.
-    let Recorder { series, events, loads, .. } = progress.course.record;
+    let Recorder { series, events, loads, turn, .. } = progress.course.record;
     (course.record.series, course.record.events, course.record.loads) = (series, events, loads);
+    course.record.turn = turn;
     results::gather(course, end)
 }
 
