@@ -211,6 +211,43 @@ fn valid_a_bounce_off_a_stop_without_loss_loads_the_spring_as_no_stop_does() {
     }
 }
 
+/// Rows of time, s, plate displacement, m, and force on the mount, N, every half microsecond.
+fn course(pairs: &str) -> Vec<[f64; 3]> {
+    let set = pairs.split_whitespace().flat_map(|pair| ["--set", pair]);
+    let asked: Vec<_> = set.chain(["--csv", "-", "--dt", "0.5us"]).collect();
+    let (rows, _) = says("run", &asked, 0);
+    let mut rows = rows.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = rows.next().unwrap();
+    let at = |name: &str| names.iter().position(|it| *it == name).unwrap();
+    let [t, x] = ["time_s", "plate_displacement_m"].map(at);
+    let forces = ["spring_force_n", "damper_force_n", "stop_force_n"].map(at);
+    rows.map(|row| {
+        let number = |at: usize| row[at].parse::<f64>().unwrap();
+        [number(t), number(x), forces.iter().map(|at| number(*at)).sum()]
+    })
+    .collect()
+}
+
+/// The impulse is the integral of the forces on the mount up to the greatest displacement: also with a plate that moves at first contact, and
+/// with the weight of the projectile.
+#[test]
+fn valid_the_mount_takes_the_momentum_of_the_plate_and_of_the_weight() {
+    for pairs in [
+        "w_0=20",
+        "w_0=-20 v_i=150",
+        "w_0=-20 v_i=400",
+        "w_0=20 theta=30deg v_i=80",
+        "w_0=20 interface=plastic",
+        "m_p=45 v_i=7.789 weight=on k=5e5 m_2=47.1 h=6mm R=5cm",
+    ] {
+        let rows = course(&format!("{pairs} horizon=60ms"));
+        let far = rows.iter().enumerate().max_by(|a, b| a.1[1].total_cmp(&b.1[1])).unwrap().0;
+        let mean = |pair: &[[f64; 3]]| 0.5 * (pair[1][0] - pair[0][0]) * (pair[0][2] + pair[1][2]);
+        let impulse: f64 = rows[..=far].windows(2).map(mean).sum();
+        assert_near(number(&run(pairs), "mount_impulse_n_s"), impulse, 1e-3);
+    }
+}
+
 /// A plate that turns has its greatest displacement then, not where it is almost there.
 #[test]
 fn valid_the_time_of_the_greatest_displacement_is_that_of_the_reversal() {

@@ -1,6 +1,6 @@
 //! The load of the mount in a run: the greatest force, the impulse, and the energy in the springs.
 
-use cmra_engine::model::mechanism::{Mechanism, moving_plate_kg};
+use cmra_engine::model::mechanism::{Inertia, Mechanism, moving_plate_kg};
 use cmra_engine::model::run::{ContactMode, EventKind, Outcome, Run, RunResult, Sample};
 use cmra_engine::model::scene::{ContactModel, Scene};
 use cmra_engine::numerics::larger;
@@ -44,8 +44,8 @@ pub(in crate::study) fn holds_still(scene: &Scene, max_displacement_m: Option<f6
         && max_displacement_m.is_some_and(|farthest| farthest.abs() < f64::MIN_POSITIVE)
 }
 
-/// The impulse into the mount along the plate's normal, N s: the momentum that projectile and plate have lost when the plate has its
-/// greatest displacement, or at the end of the run where nothing stops it.
+/// The impulse into the mount along the plate's normal, N s: the momentum that projectile and plate had and the weight has given them, less
+/// what is left when the plate has its greatest displacement, or at the end of the run where nothing stops it.
 pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     let scene = &run.scene;
     // The other models do not all keep the momentum of the projectile.
@@ -68,18 +68,27 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     if mechanism.is_absent() && mechanism.stop.is_none() {
         return None;
     }
-    let lost = |row: &Sample| m_p * cos * (struck - row.projectile_velocity_m_s);
+    // What the mount turns with the plate moves at its cost.
+    let plate_kg = moving_plate_kg(scene) - Inertia::from_scene(scene).rotation_kg;
+    let plate_n_s = plate_kg * scene.plate.velocity_m_s;
+    // The weight acts until the projectile has left.
+    let gone_s = run.departure.exit_time_s.or_else(|| Some(run.departure.separation?.t_s));
+    let given_n_s = |t_s: f64| {
+        let acts_s = gone_s.filter(|gone_s| *gone_s < t_s).unwrap_or(t_s);
+        m_p * cos * struck + plate_n_s + scene.weight_n() * cos * cos * acts_s
+    };
+    let lost = |row: &Sample| given_n_s(row.t_s) - m_p * cos * row.projectile_velocity_m_s;
     let last = run.series.last()?;
     // At its greatest displacement the plate is at rest for a moment, with a projectile that is in it.
     let Some(far_m) = run.max_plate_displacement_m else {
-        return Some(lost(last) - moving_plate_kg(scene) * last.plate_velocity_m_s);
+        return Some(lost(last) - plate_kg * last.plate_velocity_m_s);
     };
     // On a stop it may stay, or be there again and again: the last time counts.
     let most_m = run.series.iter().map(|row| row.plate_displacement_m).fold(f64::MIN, larger);
     let turn =
         run.series.iter().rfind(|row| most_m - row.plate_displacement_m <= SAME * far_m.abs());
     let row = turn.filter(|_| far_m - most_m <= REACHED * far_m.abs()).unwrap_or(last);
-    Some(if row.mode == ContactMode::Fused { m_p * cos * struck } else { lost(row) })
+    Some(if row.mode == ContactMode::Fused { given_n_s(row.t_s) } else { lost(row) })
 }
 
 /// Greatest energy in the springs between the extreme displacements of the plate, J.
