@@ -142,3 +142,16 @@ fn bad_goals_and_bounds_are_refused_with_the_cure() {
         }
     }
 }
+
+/// An angle has no unit of its own on the command line.
+#[test]
+fn the_line_that_runs_a_solution_is_taken_as_it_stands() {
+    let goal = ["--over", "theta=0deg..60deg", "--goal", "final_penetration_m=5mm"];
+    let (page, _) = says("seek", &goal, 0);
+    let line =
+        page.lines().find_map(|line| line.split_once("`--set ")?.1.strip_suffix("` runs it"));
+    let (run, _) = says("run", &["--set", line.unwrap(), "--json"], 0);
+    let run: Value = serde_json::from_str(&run).unwrap();
+    let depth = run["final_penetration_m"].as_f64().unwrap();
+    assert!((depth / 5e-3 - 1.0).abs() < 1e-6, "{line:?}: {depth}");
+}

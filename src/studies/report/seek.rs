@@ -14,7 +14,7 @@ use crate::study::validity::DesignValidity;
 use crate::study::verdict::Decision;
 use cmra_engine::model::run::Warning;
 use cmra_engine::model::scene::Scene;
-use cmra_engine::model::units::{shortest, significant};
+use cmra_engine::model::units::significant;
 
 /// Returns warnings about the rows: those of the solutions and of library entries.
 pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<Warning> {
@@ -107,7 +107,7 @@ pub fn page(title: &str, report: &SeekReport, reach: Reach) -> Page {
     }
     if let Some(solution) = report.solutions().next() {
         page.space();
-        page.line(format!("`--set {symbol}={}` runs it", shortest(solution.place.at)));
+        page.line(format!("`--set {}` runs it", axis.assignment(solution.place.at)));
     }
     page
 }

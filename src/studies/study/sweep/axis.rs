@@ -149,6 +149,13 @@ impl Axis {
         format!("{} {unit}", units::significant(value, digits)).trim_end().to_owned()
     }
 
+    /// Writes a value as `--set` takes it: `k=1e5`, `theta=18deg`.
+    pub fn assignment(&self, value: f64) -> String {
+        // An angle without a unit is refused.
+        let unit = if self.variable.unit() == "deg" { "deg" } else { "" };
+        format!("{}={}{unit}", self.symbol(), units::shortest(value))
+    }
+
     /// Converts the axis to its form in a scene file.
     pub fn to_sweep_axis(&self) -> SweepAxis {
         self.range.clone()
