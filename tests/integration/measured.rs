@@ -202,3 +202,16 @@ fn what_cannot_be_computed_is_said_in_one_line() {
         assert!(words.iter().all(|word| error.contains(word)), "{changes}: {error}");
     }
 }
+
+/// What a row does not give is as in thesis-baseline.
+#[test]
+fn a_row_without_dishing_is_the_run_without_it() {
+    let text = "R [mm],m_p [g],h [mm],rho,S_y,mount,v_i,residual_velocity_m_s,closure,C_d\n\
+                6.35,29.5,25.4,2710,1.52e8,rigid,300,170,given,0.5\n";
+    let object: Value = serde_json::from_str(&validated(text, 0).0).unwrap();
+    let by_row = object["rows"][0]["residual_velocity_m_s"].as_f64().unwrap();
+    let run = says("run", &["--set", "mount=rigid", "--set", "v_i=300", "--json"], 0).0;
+    let run: Value = serde_json::from_str(&run).unwrap();
+    let by_run = run["residual_velocity_m_s"].as_f64().unwrap();
+    assert!((by_row / by_run - 1.0).abs() < 1e-9, "{by_row} {by_run}");
+}

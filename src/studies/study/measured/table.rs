@@ -433,8 +433,10 @@ impl Given {
                 missing.join(", ")
             ));
         }
-        if !gives(DISHING) && scene.target.closure == Closure::DoubleYield {
-            scene.target.dishing = true;
+        if !gives(DISHING) {
+            // A cavity takes account of the bulge in its strength.
+            let closure = scene.target.closure;
+            scene.target.dishing = matches!(closure, Closure::Given | Closure::DoubleYield);
         }
         Ok(())
     }
