@@ -124,3 +124,51 @@ fn threads_change_no_digit() {
         assert_eq!(by("1"), by("3"), "{command}");
     }
 }
+
+/// A row of `design` whose name starts so.
+fn row(scene: &str, name: &str) -> Option<f64> {
+    let pairs: Vec<&str> = scene.split_whitespace().flat_map(|pair| ["--set", pair]).collect();
+    let found = json("design", &pairs);
+    let rows = found["rows"].as_array().or(found.as_array()).unwrap();
+    rows.iter().find(|row| row["name"].as_str().unwrap().starts_with(name))?["value"].as_f64()
+}
+
+/// By hand: momentum along the normal, `m_p v cos + m_2 w_0 = (m_p cos² + m_2) w`; projectile and plate are equally heavy, 29.5 g.
+#[test]
+fn valid_formulas_count_all_momentum_along_the_normal() {
+    for (scene, w, joined_kg) in [
+        ("", 50.0, 0.059),
+        ("w_0=20", 60.0, 0.059),
+        ("w_0=-20", 40.0, 0.059),
+        ("theta=60deg", 40.0, 1.25 * 0.0295),
+        ("theta=60deg w_0=10", 48.0, 1.25 * 0.0295),
+    ] {
+        let common_m_s = row(scene, "common velocity").unwrap();
+        assert!((common_m_s / w - 1.0).abs() < 1e-12, "{scene}: {common_m_s}");
+        let energy_j = row(scene, "energy after it").unwrap();
+        assert!((energy_j / (0.5 * joined_kg * w * w) - 1.0).abs() < 1e-12, "{scene}: {energy_j}");
+    }
+    // Equal bodies exchange their velocities.
+    assert!((row("w_0=20", "projectile velocity, elastic").unwrap() - 20.0).abs() < 1e-12);
+    assert!((row("w_0=20", "plate velocity, elastic").unwrap() - 100.0).abs() < 1e-12);
+}
+
+/// `k x²/2 = E + m_p g x`, solved for x. A steel coil takes 5.0817 g a joule.
+#[test]
+fn valid_a_spring_is_sized_by_formulas_for_the_work_of_the_weight_too() {
+    let scene = "weight=on m_p=45 v_i=7.789 k=5e3 m_2=47.1 R=5cm h=6mm";
+    let (w, k): (f64, f64) = (45.0 * 7.789 / 92.1, 5e3);
+    let (energy_j, weight_n) = (0.5 * 92.1 * w * w, 45.0 * 9.80665);
+    let x = (weight_n + (weight_n * weight_n + 2.0 * k * energy_j).sqrt()) / k;
+    let mass_kg = row(scene, "least mass").unwrap();
+    let expected_kg = 5.081_673_469_387_755e-3 * 0.5 * k * x * x;
+    assert!((mass_kg / expected_kg - 1.0).abs() < 1e-9, "{mass_kg} {expected_kg}");
+}
+
+#[test]
+fn formulas_give_a_rigid_mount_no_motion_and_no_spring() {
+    for name in ["common velocity", "energy after it", "plate velocity", "least mass"] {
+        assert_eq!(row("mount=rigid", name), None, "{name}");
+    }
+    assert!(row("mount=rigid", "critical obliquity").is_some());
+}

@@ -1,5 +1,6 @@
 //! Formulas a designer works with that need no simulation: ricochet, Stone's depth, and collisions. Thesis chapters 2, 4 and 5.
 
+use cmra_engine::model::mechanism::Spring;
 use cmra_engine::model::scene::{Projectile, Scene};
 
 /// Length of the rod of its mass and radius, as which Tate's formula sees a shot, m.
@@ -42,6 +43,34 @@ pub fn elastic(m_a: f64, v_a: f64, m_b: f64, v_b: f64) -> [f64; 2] {
 /// The common velocity after a perfectly inelastic one; thesis equation 2.2.
 pub fn inelastic(m_a: f64, v_a: f64, m_b: f64, v_b: f64) -> f64 {
     (m_a * v_a + m_b * v_b) / (m_a + m_b)
+}
+
+/// Maximum number of iterations for the work of the weight.
+const WEIGHED_MAX: usize = 1000;
+
+/// Work of the weight up to the greatest displacement of bodies with an energy, their own and that of a spring which alone stops them, J;
+/// `None` if it does not stop them.
+pub fn work_of_weight_j(
+    spring: &Spring,
+    start_m: f64,
+    energy_j: f64,
+    weight_n: f64,
+) -> Option<f64> {
+    let mut work_j = 0.0;
+    // Each round adds the work over what the last one went farther: a sum of ever smaller parts, as the spring force there exceeds the weight.
+    for _ in 0..if weight_n > 0.0 { WEIGHED_MAX } else { 0 } {
+        let far_m = spring.reach(start_m, energy_j + work_j, 1.0);
+        let next_j = weight_n * (far_m - start_m);
+        if !next_j.is_finite() {
+            return None;
+        }
+        let is_close = next_j - work_j <= f64::EPSILON * (energy_j + next_j);
+        work_j = next_j;
+        if is_close {
+            break;
+        }
+    }
+    Some(work_j)
 }
 
 #[cfg(test)]
