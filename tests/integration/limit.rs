@@ -247,3 +247,17 @@ fn valid_the_jump_at_one_diameter_is_said() {
     assert!(page.join(" ").contains("the strength rule changes and the limit jumps from"));
     assert!(at(0.05)["jump_m_s"].is_null());
 }
+
+/// Shots of 250 m/s perforate, by a run of their own.
+#[test]
+fn shots_that_end_undecided_are_not_said_to_be_stopped() {
+    let scene = ["--set", "x_stop=1e-9", "--set", "e=1"];
+    let run = json("run", &[&scene[..], &["--set", "v_i=250"]].concat());
+    assert_eq!(run["outcome"], "perforated");
+    let found = json("limit", &scene);
+    if found["limit_velocity_m_s"].is_null() {
+        let why = found["no_limit"].as_str().unwrap();
+        assert!(why.starts_with("limit not known"), "{why}");
+        assert!(found["undecided_at_m_s"].is_number(), "{found}");
+    }
+}

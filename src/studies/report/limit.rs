@@ -196,7 +196,9 @@ pub fn answer(report: &LimitReport) -> String {
         Limit::Found { velocity_m_s, .. } if own_m_s < velocity_m_s => Some(Outcome::Arrested),
         Limit::Found { .. } | Limit::Always => Some(Outcome::Perforated),
         Limit::Between { undecided_m_s, .. } if own_m_s < undecided_m_s => Some(Outcome::Arrested),
-        Limit::Between { through_m_s, .. } if own_m_s >= through_m_s => Some(Outcome::Perforated),
+        Limit::Between { through_m_s: Some(through_m_s), .. } if own_m_s >= through_m_s => {
+            Some(Outcome::Perforated)
+        }
         Limit::Never => Some(Outcome::Arrested),
         Limit::Between { .. } | Limit::NotModelled | Limit::Unknown => None,
     };

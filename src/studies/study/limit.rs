@@ -66,8 +66,8 @@ pub enum Limit {
     Between {
         /// Velocity of the slowest shot found undecided, m/s.
         undecided_m_s: f64,
-        /// Velocity of the slowest shot found to perforate, m/s.
-        through_m_s: f64,
+        /// Velocity of the slowest shot found to perforate, m/s; `None` if no shot is known to.
+        through_m_s: Option<f64>,
     },
     /// No velocity in range perforates.
     Never,
@@ -135,11 +135,18 @@ impl Limit {
         let (low, high) = RANGE_M_S;
         match self {
             Self::Found { .. } => None,
-            Self::Between { undecided_m_s, through_m_s } => Some(format!(
-                "limit not known: shots from {} m/s on end before their outcome is known, {} m/s perforates",
-                fixed_significant(undecided_m_s, 4),
-                fixed_significant(through_m_s, 4)
-            )),
+            Self::Between { undecided_m_s, through_m_s } => {
+                let undecided = fixed_significant(undecided_m_s, 4);
+                Some(match through_m_s.map(|it| fixed_significant(it, 4)) {
+                    Some(through) => format!(
+                        "limit not known: shots from {undecided} m/s on end before their outcome is known, {through} m/s perforates"
+                    ),
+                    None => format!(
+                        "limit not known: a shot at {undecided} m/s ends before its outcome is known, and none from {low} to {high} m/s is known \
+                         to perforate"
+                    ),
+                })
+            }
             Self::Never => Some(format!(
                 "limit beyond {high} m/s: nothing from {low} to {high} m/s perforates"
             )),

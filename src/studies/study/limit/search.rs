@@ -224,7 +224,7 @@ impl ShotRunner<'_, '_, '_> {
         let found = edge(through_m_s, below, WIDTH, &mut |it| self.verdict(it))?;
         Some(match found {
             (through_m_s, (undecided_m_s, ShotOutcome::Undecided)) => {
-                Limit::Between { undecided_m_s, through_m_s }
+                Limit::Between { undecided_m_s, through_m_s: Some(through_m_s) }
             }
             (a, (b, _)) => Limit::found(0.5 * (a + b), LimitMethod::Outcome),
         })
@@ -259,7 +259,11 @@ impl ShotRunner<'_, '_, '_> {
                 None => limit,
             });
         }
-        Some(Limit::Never)
+        // An undecided shot is not known to be stopped.
+        Some(match undecided_m_s {
+            Some(undecided_m_s) => Limit::Between { undecided_m_s, through_m_s: None },
+            None => Limit::Never,
+        })
     }
 
     /// Computes the shots of the residual-velocity curve, denser above the limit; over the whole range without a limit.
