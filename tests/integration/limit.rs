@@ -261,3 +261,24 @@ fn shots_that_end_undecided_are_not_said_to_be_stopped() {
         assert!(found["undecided_at_m_s"].is_number(), "{found}");
     }
 }
+
+/// The load of the interface of a plate that moves away is not monotone in the velocity.
+#[test]
+fn a_fused_interface_is_said_to_hold_only_where_its_shots_do() {
+    let is_overloaded = |w: &str, v: &str| {
+        let run = json("run", &["--set", w, "--set", v]);
+        run["interface_tension_ratio"].as_f64().unwrap() > 1.0
+    };
+    // At all velocities.
+    assert!(["v_i=21", "v_i=25", "v_i=80", "v_i=200"].iter().all(|v| is_overloaded("w_0=20", v)));
+    let page = printed("limit", &["--set", "w_0=20"]);
+    assert!(page.contains("no more than its strength at no velocity"), "{page}");
+    // In the slowest shots and in the fastest.
+    let ends = ["v_i=1.05", "v_i=40", "v_i=200"].map(|v| is_overloaded("w_0=1", v));
+    assert_eq!(ends, [true, false, true]);
+    let page = printed("limit", &["--set", "w_0=1"]);
+    assert!(!page.contains("no more than its strength"), "{page}");
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(page.contains("just below the limit and in the slowest shots"), "{page}");
+    assert!(json("limit", &["--set", "w_0=1"])["interface_holds_m_s"].is_null());
+}

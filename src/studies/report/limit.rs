@@ -44,17 +44,7 @@ pub fn remarks(report: &LimitReport) -> Vec<Remark> {
         let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
         remarks.push(Remark::new("at the limit", load(run).unwrap_or_else(none)));
     }
-    if let Some(holds_m_s) = report.interface_holds_m_s {
-        let holds = if holds_m_s < RANGE_M_S.0 {
-            "at no velocity".to_owned()
-        } else {
-            format!("up to {}", velocity(holds_m_s, 4))
-        };
-        let text = format!(
-            "fused, carries no more than its strength {holds}; beyond, take interface=plastic"
-        );
-        remarks.push(Remark::caution("interface", text));
-    }
+    remarks.extend(interface(report).map(|text| Remark::caution("interface", text)));
     if let Some(closure) = report.scene.closure_by_thickness() {
         let text = format!("{}, by the plate's thickness", closure.word());
         remarks.push(Remark::new("strength rule", text));
@@ -91,6 +81,24 @@ pub fn remarks(report: &LimitReport) -> Vec<Remark> {
         remarks.push(Remark::new(FittedLaw::LambertJonas.name(), text));
     }
     remarks
+}
+
+/// Describes where the fused interface is overloaded below the limit; `None` if it is not just below it.
+fn interface(report: &LimitReport) -> Option<String> {
+    let overloads = |run: &&Run| envelope::is_overloaded(run);
+    let Some(holds_m_s) = report.interface_holds_m_s else {
+        return report.at_limit.as_ref().filter(overloads).map(|_| {
+            "fused, carries more than its strength just below the limit and in the slowest shots: take interface=plastic".to_owned()
+        });
+    };
+    let holds = if holds_m_s < RANGE_M_S.0 {
+        "at no velocity".to_owned()
+    } else {
+        format!("up to {}", velocity(holds_m_s, 4))
+    };
+    Some(format!(
+        "fused, carries no more than its strength {holds}; beyond, take interface=plastic"
+    ))
 }
 
 /// Warns of a limit that ignores the strength of its mechanism; `None` if there is no such mechanism.

@@ -327,6 +327,11 @@ pub fn of_run(run: &Run) -> Vec<Breach> {
     found
 }
 
+/// Returns `true` if a run puts more load on a fused interface than it carries.
+pub fn is_overloaded(run: &Run) -> bool {
+    of_run(run).iter().any(|it| matches!(it.check, Check::Interface | Check::Rebound))
+}
+
 /// Iterates over the struck plates behind the first of a stack, with their names.
 fn behind(run: &Run) -> impl Iterator<Item = (String, &Run)> {
     let names = run.stack.iter().flat_map(|stack| (1..).map(|plate| stack.name(plate)));

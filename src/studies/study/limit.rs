@@ -193,8 +193,8 @@ pub struct LimitReport {
     pub at_limit: Option<Run>,
     /// Residual velocity of a shot just above the limit, m/s; `None` without a limit, or if that shot does not perforate.
     pub residual_at_limit_m_s: Option<f64>,
-    /// Highest impact velocity at which a fused interface stays within its limit load, m/s; 0 if there is none; `None` if the interface
-    /// stays within it up to the ballistic limit.
+    /// Impact velocity up to which a fused interface stays within its limit load, m/s; 0 if no shot of a scan stays within it; `None` if the
+    /// interface stays within it just below the ballistic limit, or if slow shots exceed it and faster ones do not.
     pub interface_holds_m_s: Option<f64>,
     /// Limits by the three closures, if the flow strength follows from a yield stress.
     pub closures: Option<Closures>,

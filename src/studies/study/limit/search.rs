@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::study::context::Context;
-use crate::study::envelope::{self, Check};
+use crate::study::envelope::is_overloaded;
 use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::closures::jump;
 use crate::study::limit::shot_outcome::{BracketEnd, ShotOutcome, decide, edge};
@@ -14,7 +14,7 @@ use crate::study::limit::{
 use cmra_engine::model::run::{EndReason, Observer, Outcome, Run, RunWarning};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
-use cmra_engine::numerics::smaller;
+use cmra_engine::numerics::{larger, smaller};
 
 /// Relative width of the final bracket around the limit.
 const WIDTH: f64 = 1e-10;
@@ -25,6 +25,9 @@ pub(super) const BESIDE: [f64; 6] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.3];
 const LOWER_MAX: usize = 4;
 /// Relative width of the final bracket around the velocity at which the interface reaches its limit load.
 const HOLDS_WIDTH: f64 = 1e-5;
+/// Points of the scan for that velocity, and distance of the slowest one above the velocity of the plate, relative to it.
+const HOLDS_SCAN: usize = 12;
+const HOLDS_ABOVE: f64 = 1e-2;
 /// Upper bound of the run tolerance.
 const TOLERANCE: f64 = 1e-10;
 
@@ -113,18 +116,28 @@ impl ShotRunner<'_, '_, '_> {
         self.shoot(limit_m_s * (1.0 + BESIDE_LIMIT))?.0.residual_m_s
     }
 
-    /// Finds the highest velocity at which a fused interface stays within its limit load, m/s, if it exceeds it just below the ballistic
-    /// limit; 0 if it exceeds it at every velocity; `None` if it does not exceed it, or if cancelled.
+    /// Finds the velocity up to which a fused interface stays within its limit load, m/s, if it exceeds it just below the ballistic limit; 0
+    /// if it exceeds it in all shots of a scan; `None` if it does not exceed it, if it does so in slow shots and not in some faster ones, or
+    /// if cancelled.
     pub(super) fn interface_holds(&mut self, at_limit: &Run, limit_m_s: f64) -> Option<f64> {
-        let is_overloaded = |run: &Run| {
-            let mut breaches = envelope::of_run(run).into_iter();
-            breaches.any(|it| matches!(it.check, Check::Interface | Check::Rebound))
-        };
-        if !is_overloaded(at_limit) {
+        // The slowest shots do not reach a plate that moves away.
+        let plate_m_s = self.scene.plate_velocity_m_s() * self.scene.cos_obliquity();
+        let low = larger(RANGE_M_S.0, plate_m_s * (1.0 + HOLDS_ABOVE));
+        if !is_overloaded(at_limit) || low >= limit_m_s {
             return None;
         }
-        let (mut holds, mut fails) = (0.0, limit_m_s);
-        while fails - holds > HOLDS_WIDTH * fails && fails > RANGE_M_S.0 {
+        let ratio = (limit_m_s / low).powf(1.0 / HOLDS_SCAN as f64);
+        let mut scan = Vec::new();
+        for velocity_m_s in (0..HOLDS_SCAN).map(|point| low * ratio.powf(point as f64)) {
+            scan.push((velocity_m_s, is_overloaded(&self.at_limit(velocity_m_s)?)));
+        }
+        scan.push((limit_m_s, true));
+        let first = scan.iter().position(|(_, fails)| *fails)?;
+        if first == 0 {
+            return scan.iter().all(|(_, fails)| *fails).then_some(0.0);
+        }
+        let (mut holds, mut fails) = (scan[first - 1].0, scan[first].0);
+        while fails - holds > HOLDS_WIDTH * fails {
             let between = 0.5 * (holds + fails);
             let side =
                 if is_overloaded(&self.at_limit(between)?) { &mut fails } else { &mut holds };
