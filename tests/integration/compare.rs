@@ -275,3 +275,22 @@ fn valid_a_crush_absorber_weighs_its_stroke() {
         assert!((mass(stroke) / (5e3 * metres / 19460.0) - 1.0).abs() < 1e-12, "{stroke}");
     }
 }
+
+/// Without line breaks.
+fn told(command: &str, arguments: &[&str]) -> String {
+    printed(command, arguments).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// At 400 m/s the plate is perforated: its spring is that of the shot just below the limit, which stores more than the design shot.
+#[test]
+fn the_shot_that_sizes_the_spring_is_named() {
+    let (slow, fast) = (told("compare", &[]), told("compare", &["--set", "v_i=400"]));
+    assert!(slow.contains("the least for the design shot at"), "{slow}");
+    assert!(fast.contains("the least for the fastest shot that is stopped"), "{fast}");
+    let found = json("compare", &["--set", "v_i=400"]);
+    let own = &found["candidates"]["scene"];
+    let at_limit_j = own["stored_energy_at_limit_j"].as_f64().unwrap();
+    let mass_kg = found["spring_mass_kg"].as_f64().unwrap();
+    let energy_j_kg = found["spring_energy_j_per_kg"].as_f64().unwrap();
+    assert!((mass_kg * energy_j_kg / at_limit_j - 1.0).abs() < 1e-6);
+}

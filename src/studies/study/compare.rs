@@ -73,6 +73,8 @@ pub struct Entry {
     pub areal_kg_m2: Option<f64>,
     /// Mass of the springs, kg.
     pub spring_kg: Option<f64>,
+    /// Whether the fastest shot that is stopped sizes the springs, since the design shot perforates.
+    pub is_sized_at_limit: bool,
     /// Ballistic limit of the plate alone.
     pub perforation: Limit,
     /// Limit velocity if the spring must survive, m/s.

@@ -62,7 +62,10 @@ fn masses(page: &mut Page, report: &ComparisonReport) {
                 "taken to hold faster shots, too; --size: it does not"
             };
             let (gram, energy) = (gram(kg), per_mass(&report.scene));
-            format!("{gram} g, the least for the design shot at {energy} (e_spring); {holds}")
+            let is_at_limit = own.is_some_and(|own| own.is_sized_at_limit);
+            let shot =
+                if is_at_limit { "the fastest shot that is stopped" } else { "the design shot" };
+            format!("{gram} g, the least for {shot} at {energy} (e_spring); {holds}")
         }
         None if report.scene.mechanism.specific_energy_j_kg().is_none() => {
             "not known, since it is no coil; set e_spring or m_spring, or give --absorber"

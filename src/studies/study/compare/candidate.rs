@@ -33,6 +33,8 @@ struct Limits {
     /// Fastest shot that the plate alone stops, just below its ballistic limit.
     fastest: Option<Run>,
     built: InstalledSpring,
+    /// Whether that shot sizes the springs, since the design shot perforates.
+    is_sized_at_limit: bool,
     /// Limit of plate and hardware, m/s.
     limit_m_s: Option<f64>,
     /// Part that fails at the limit before the plate is perforated.
@@ -76,6 +78,7 @@ impl CandidateEvaluator<'_, '_> {
         };
         // If the design shot perforates, the hardware is that of the fastest shot that is stopped.
         let is_through = PointOutcome::from_run(&run).is_through() && plate_m_s.is_some();
+        let is_sized_at_limit = is_through && fastest.is_some();
         let sizing = fastest.as_ref().filter(|_| is_through).unwrap_or(&run);
         let built = InstalledSpring::from_scene(&scene, self.hardware, &demand(sizing));
         let at_design = built.failure(&scene, &demand(&run)).map(|failure| (design_m_s, failure));
@@ -89,13 +92,14 @@ impl CandidateEvaluator<'_, '_> {
             }
             None => (plate_m_s, None),
         };
-        Some(Limits { perforation, run, fastest, built, limit_m_s, failure })
+        Some(Limits { perforation, run, fastest, built, is_sized_at_limit, limit_m_s, failure })
     }
 
     /// Evaluates a candidate; `None` if cancelled.
     pub(super) fn entry(&mut self, candidate: Candidate) -> Option<Entry> {
         let scene = Arc::clone(&self.scene);
-        let Limits { perforation, run, fastest, built, limit_m_s, failure } = self.limits()?;
+        let Limits { perforation, run, fastest, built, is_sized_at_limit, limit_m_s, failure } =
+            self.limits()?;
         let at_limit = match limit_m_s.and_then(|limit_m_s| self.below(limit_m_s)) {
             Some(_) if failure.is_none() => fastest,
             Some(velocity_m_s) => Some(self.fire(velocity_m_s)?),
@@ -110,6 +114,7 @@ impl CandidateEvaluator<'_, '_> {
             is_held: is_held(&scene),
             areal_kg_m2: built.areal_kg_m2(&scene),
             spring_kg: built.spring_kg,
+            is_sized_at_limit,
             perforation,
             limit_m_s,
             failure,
