@@ -294,3 +294,26 @@ fn the_shot_that_sizes_the_spring_is_named() {
     let energy_j_kg = found["spring_energy_j_per_kg"].as_f64().unwrap();
     assert!((mass_kg * energy_j_kg / at_limit_j - 1.0).abs() < 1e-6);
 }
+
+/// A spring whose counted mass follows from the shot is another one at each velocity: the limits of the two commands differ.
+#[test]
+fn a_limit_says_which_spring_it_is_for() {
+    let counted = ["--set", "gamma=7", "--set", "own_mass=counted"];
+    let own = [&counted[..], &["--set", "m_spring=100g"]].concat();
+    for (command, words) in [
+        ("limit", "each shot has a spring of its own mass"),
+        ("compare", "keeps the spring of the design shot at every velocity"),
+    ] {
+        assert!(told(command, &counted).contains(words), "{command}");
+        for given in [&own[..], &[]] {
+            assert!(!told(command, given).contains(words), "{command}");
+        }
+    }
+}
+
+#[test]
+fn candidates_at_rest_are_told_apart_from_a_plate_that_moves() {
+    let words = "the other candidates are at rest before the shot";
+    assert!(told("compare", &["--set", "w_0=50"]).contains(words));
+    assert!(!told("compare", &[]).contains(words));
+}

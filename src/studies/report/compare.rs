@@ -11,7 +11,7 @@ use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
 use crate::study::compare::{
     Absence, Candidate, ComparisonReport, Entry, Hardware, SizedArmour, THINNEST_M, Verdict,
-    is_equal,
+    is_equal, is_spring_sized_by_shot,
 };
 use crate::study::envelope;
 use crate::study::library;
@@ -408,9 +408,19 @@ fn sized(own: &Entry, verdict: &Verdict) -> Option<String> {
     ))
 }
 
-/// Describes the causes of the limit velocities, and of missing limits.
+/// Describes for which plates the limit velocities hold, their causes, and missing limits.
 fn limits(report: &ComparisonReport) -> Vec<String> {
     let mut lines = Vec::new();
+    if is_spring_sized_by_shot(&report.scene) {
+        lines.push(
+            "scene: keeps the spring of the design shot at every velocity; `cmra limit` sizes its counted mass for each shot".to_owned(),
+        );
+    }
+    if report.scene.plate_velocity_m_s() != 0.0 {
+        lines.push(
+            "w_0: of the scene alone; the other candidates are at rest before the shot".to_owned(),
+        );
+    }
     for entry in &report.entries {
         let word = entry.candidate.word();
         if let (Some(failure), Some(limit)) = (entry.failure, entry.limit_m_s) {

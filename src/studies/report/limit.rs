@@ -8,6 +8,7 @@ use crate::report::page::Page;
 use crate::report::svg::Picture;
 use crate::report::table::Table;
 use crate::report::verdict;
+use crate::study::compare::is_spring_sized_by_shot;
 use crate::study::envelope;
 use crate::study::limit::residual_law::ResidualLaw;
 use crate::study::limit::{
@@ -43,6 +44,10 @@ pub fn remarks(report: &LimitReport) -> Vec<Remark> {
     if let Some(run) = report.at_limit.as_ref().filter(|_| !report.scene.is_stack()) {
         let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
         remarks.push(Remark::new("at the limit", load(run).unwrap_or_else(none)));
+    }
+    if is_spring_sized_by_shot(&report.scene) {
+        let text = "by own_mass=counted each shot has a spring of its own mass; `cmra compare` keeps that of the design shot";
+        remarks.push(Remark::new("spring", text));
     }
     remarks.extend(interface(report).map(|text| Remark::caution("interface", text)));
     if let Some(closure) = report.scene.closure_by_thickness() {

@@ -310,12 +310,22 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
     variables::changed(own, nothing_behind).ok()
 }
 
+/// Returns the counted mass of a spring that is sized by the energy of the scene's shot, kg; `None` for other springs.
+fn mass_by_shot_kg(scene: &Scene) -> Option<f64> {
+    let spring = &scene.mechanism.spring;
+    let is_sized = spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none();
+    Inertia::from_scene(scene).spring_mass_kg.filter(|_| is_sized && scene.is_sprung())
+}
+
+/// Returns `true` if a shot of another velocity has a spring of another mass.
+pub fn is_spring_sized_by_shot(scene: &Scene) -> bool {
+    mass_by_shot_kg(scene).is_some()
+}
+
 /// Fixes the mass of a spring that is sized by energy to the mass for the design shot.
 fn hold_spring_mass(scene: &mut Scene) {
-    let mass_kg = Inertia::from_scene(scene).spring_mass_kg;
-    let spring = &mut scene.mechanism.spring;
-    if spring.own_mass == OwnMass::Counted {
-        spring.mass_kg = spring.mass_kg.or(mass_kg);
+    if let Some(mass_kg) = mass_by_shot_kg(scene) {
+        scene.mechanism.spring.mass_kg = Some(mass_kg);
     }
 }
 
