@@ -33,7 +33,7 @@ fn a_front_is_that_of_the_scenes_law_whatever_the_threads() {
     assert!(plastic.contains("interface plastic: a front of"), "{plastic}");
     let (csv, _) = says("optimise", &[&asked[..], &["--csv", "-"]].concat(), 0);
     assert!(csv.starts_with(
-        "scene,interface,gamma,k,d,final_penetration_m,stroke_m,outcome,verdict,plastic,warnings\n"
+        "scene,interface,gamma,k,d,final_penetration_m,stroke_m,outcome,held,verdict,plastic,warnings\n"
     ));
     // A row of a front runs to the same numbers.
     let row: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
@@ -101,4 +101,19 @@ fn without_a_feasible_design_the_checks_are_named() {
     let over = ["free-plate", "--over", "gamma=0.8..3", "--minimise", "plate_mass_kg"];
     let (page, _) = says("optimise", &[&over[..], &["--samples", "64"]].concat(), 1);
     assert!(page.contains("infeasible, of ") && page.contains("plate face"), "{page}");
+}
+
+/// A plate without spring, damper and stop.
+#[test]
+fn a_design_that_nothing_holds_says_so() {
+    let over = ["--over", "gamma=4..7", "--minimise", "plate_mass_kg", "--samples", "64"];
+    for (k, is_held) in [("k=0", false), ("k=1e5", true)] {
+        let asked = [&["--set", k][..], &over].concat();
+        let (page, _) = says("optimise", &asked, 0);
+        let says_so = page.contains("design 1: nothing stops plate and projectile");
+        assert_eq!(says_so, !is_held, "{page}");
+        let (text, _) = says("optimise", &[&asked[..], &["--json"]].concat(), 0);
+        let found: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(found["designs"][0]["held"], is_held, "{text}");
+    }
 }

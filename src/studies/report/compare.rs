@@ -24,6 +24,10 @@ use cmra_engine::model::units::{fixed_significant, significant, velocity};
 
 pub mod page;
 
+/// Statement on a plate without mount, spring, damper and stop.
+pub const UNHELD: &str =
+    "nothing stops plate and projectile: not an alternative, only the effect of the mass ratio";
+
 /// Name and meaning of the contour on a map.
 const LINE: (&str, &str) = ("line of 1", ": above 1 the armour is lighter than the solid plate");
 /// Label of the limit of plate and spring together.

@@ -2,8 +2,10 @@
 
 use serde_json::{Value, json};
 
+use crate::report::compare::UNHELD;
 use crate::report::page::Page;
 use crate::report::table::{Cells, Table};
+use crate::study::compare::is_held;
 use crate::study::context::Reach;
 use crate::study::library;
 use crate::study::search::front::{FrontReport, MissingObjective, Objective, STEPS_MAX};
@@ -89,6 +91,7 @@ pub fn table<'c>(name: &'c str, front: &'c FrontReport) -> Table<'c, usize> {
     let verdict = move |row: &usize| Verdict::from_scene(&front.scene(of(row))).decision.word();
     let table = table
         .with("outcome", "outcome", "", move |row| of(row).outcome.key())
+        .field("held", move |row| is_held(&front.scene(of(row))))
         .with("verdict", "verdict", "", verdict);
     table.with("plastic", "on a plastic interface", "", plastic)
 }
@@ -160,6 +163,12 @@ fn designs(page: &mut Page, front: &FrontReport, reach: Reach) {
         let mut cells = vec![Cells { head: String::new(), is_text: false, cells: numbers }];
         cells.extend(table.cells(&page_keys(front)));
         page.table(cells);
+        let is_free = |at: &usize| !is_held(&front.scene(&front.designs[*at]));
+        let free = (0..listed).map(place).filter(is_free).map(|at| (at + 1).to_string());
+        let free: Vec<String> = free.collect();
+        if !free.is_empty() {
+            page.paragraph(format!("design {}: {UNHELD}", free.join(", ")), 2);
+        }
     }
     if listed < count {
         page.line(format!("      ({listed} of {count}; --csv FILE has them all)"));

@@ -39,7 +39,7 @@ mod sizing;
 mod solid;
 
 pub use candidate::limit_if_spring_survives_m_s;
-pub use hardware::{Failure, Hardware};
+pub use hardware::{Failure, Hardware, is_held};
 pub use sizing::{Absence, SizedArmour, THINNEST_M, WIDTH, mass_efficiency};
 
 use candidate::CandidateEvaluator;

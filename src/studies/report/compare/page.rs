@@ -1,7 +1,7 @@
 //! Report of the comparison, and of its map, for readers.
 
 use crate::report::Remark;
-use crate::report::compare::{beside, picture, reasons, verdict, where_it_pays};
+use crate::report::compare::{UNHELD, beside, picture, reasons, verdict, where_it_pays};
 use crate::report::page::{Block, Page, Size};
 use crate::report::svg::Picture;
 use crate::study::compare::map::Map;
@@ -42,8 +42,7 @@ pub fn parts(report: &ComparisonReport) -> [Vec<Block>; 3] {
     let caution = caution.map(|remark| Block::Fact { remark, column: 2 });
     let mut table = vec![Block::Table(beside(report))];
     if report.entries.iter().any(|entry| !entry.is_held) {
-        let text = "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio";
-        table.push(Block::Line(text.to_owned()));
+        table.push(Block::Line(format!("* {UNHELD}")));
     }
     let reasons = reasons(report).into_iter().map(Block::paragraph).collect();
     [caution.into_iter().collect(), table, reasons]

@@ -48,7 +48,7 @@ pub(super) fn is_own(scene: &Scene) -> bool {
 }
 
 /// Returns `true` if the scene has a spring, damper, stop or mount that stops the plate.
-pub(super) fn is_held(scene: &Scene) -> bool {
+pub fn is_held(scene: &Scene) -> bool {
     let mechanism = Mechanism::from_scene(scene);
     !scene.is_sprung() || !mechanism.is_absent() || mechanism.stop.is_some()
 }
