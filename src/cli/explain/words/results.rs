@@ -337,8 +337,8 @@ pub(super) const WORDS: &[Entry] = &[
         "kinetic energy of both bodies after an inelastic collision, which the mechanism has to take up",
     ),
     (
-        &["least mass of the spring for both", "least mass of a steel coil for both"],
-        "mass of a spring that stores the energy after the collision and that of cocking",
+        &["least mass of the spring for all of it", "least mass of a steel coil for all of it"],
+        "mass of a spring that stores the energy after the collision, that of cocking and the work of the weight",
     ),
     (
         &["Stone's depth P", "Stone's depth times c_t"],
