@@ -170,7 +170,7 @@ fn every_label_of_a_page_is_explained() {
             all.extend(labels(&printed(study, &set.collect::<Vec<_>>())));
         }
     }
-    for changes in [&[][..], &["--set", "mount=rigid", "--c-t", "1"]] {
+    for changes in [&["--set", "weight=on"][..], &["--set", "mount=rigid", "--c-t", "1"]] {
         let page = printed("design", changes);
         let names = page.lines().filter(|line| line.starts_with("     "));
         let names = names.filter_map(|line| line.trim().split_once("  "));

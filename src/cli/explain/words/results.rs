@@ -332,6 +332,7 @@ pub(super) const WORDS: &[Entry] = &[
     ),
     (&["length of the rod"], "length of a cylinder with the projectile's mass and radius"),
     (&["effective thickness"], "path through the plate along the shot line: h/cos(theta)"),
+    (&["work of the weight"], "work of m_p g on the plate's way to its greatest displacement"),
     (
         &["energy after it"],
         "kinetic energy of both bodies after an inelastic collision, which the mechanism has to take up",
