@@ -54,7 +54,7 @@ pub(crate) fn run_with(scene: &Scene, settings: Settings) -> Option<Run> {
 }
 
 /// Returns the settings of a run for its results alone, without error estimate. A plate may hit its rigid stop after the outcome is decided;
-/// only a run with its series goes on to that hit.
+/// only a run with its series continues to that hit.
 pub(crate) fn plain_settings(scene: &Scene) -> Settings {
     let has_rigid_stop = Mechanism::from_scene(scene).rigid_stop().is_some();
     Settings { series: has_rigid_stop, ..Settings::BARE }

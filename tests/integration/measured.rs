@@ -203,7 +203,7 @@ fn what_cannot_be_computed_is_said_in_one_line() {
     }
 }
 
-/// What a row does not give is as in thesis-baseline.
+/// Variables that a row omits have the values of thesis-baseline.
 #[test]
 fn a_row_without_dishing_is_the_run_without_it() {
     let text = "R [mm],m_p [g],h [mm],rho,S_y,mount,v_i,residual_velocity_m_s,closure,C_d\n\

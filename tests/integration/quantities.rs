@@ -153,7 +153,7 @@ fn labels(page: &str) -> Vec<String> {
     parts.filter(is_label).map(str::to_owned).collect()
 }
 
-/// Of `design` the name comes last, before its source in brackets.
+/// The pages of `design` have the name last, before its source in brackets.
 #[test]
 fn every_label_of_a_page_is_explained() {
     let mut all = BTreeSet::new();

@@ -322,7 +322,7 @@ mod tests {
         Sample { t_s, mode, penetration_m, ..Sample::default() }
     }
 
-    /// What a fused interface would have to bear at a rigid stop is its push, not the force of the contact.
+    /// The push of a fused interface is unbounded at a rigid stop; the force of the contact is not.
     #[test]
     fn the_peak_of_a_comparison_is_that_of_the_page() {
         let run = run_of("x_stop=5mm");

@@ -63,7 +63,7 @@ impl Equations<'_> {
 }
 
 impl ImpactRun<'_> {
-    /// Returns `true` if later motion can increase the peak loads of mount or interface.
+    /// Returns `true` if later motion can increase the peak loads of mount, spring or interface.
     pub(super) fn loads_may_grow(&mut self) -> bool {
         let Self { setup, ref mode, ref state, ref record, .. } = *self;
         let equations = Equations { setup, mode };

@@ -63,7 +63,7 @@ fn stopped() -> Vec<String> {
     with_kinds.flat_map(|pairs| others.map(|other| format!("{pairs} {other}"))).collect()
 }
 
-/// Each output is asked for alone, and beside all others.
+/// An output has the same value in a sweep of its own as in a sweep of all outputs.
 #[test]
 fn the_value_of_an_output_does_not_depend_on_the_others() {
     let outputs: Vec<&str> =
