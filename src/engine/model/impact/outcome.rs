@@ -436,13 +436,16 @@ impl Equations<'_> {
     /// Returns the displacement at which a coasting plate comes to rest, m: where its damper alone stops it, or where spring or stop begin
     /// to press on it. `None` if it does not coast, or if it presses on them further than a negligible part of `stroke_m`.
     fn coasts_to_m(&self, state: &State, moving_kg: f64, stroke_m: f64) -> Option<f64> {
+        if !self.coasts(state) {
+            return None;
+        }
         let Equations { setup, mode } = self;
         let x_m = self.displacement_m(state.x_m);
         let end_m = x_m + coasting_m(setup.damper, moving_kg, state.w_m_s);
         let stop_m = if setup.has_stop() { setup.stop.position_m } else { f64::INFINITY };
         let place_m = smaller(mode.spring.slack_until(x_m), stop_m);
-        if !self.coasts(state) || end_m < place_m || place_m.is_infinite() {
-            return self.coasts(state).then_some(end_m);
+        if end_m < place_m || place_m.is_infinite() {
+            return Some(end_m);
         }
         let way_m = place_m - x_m;
         let arrives_m_s = coasting_m_s(setup.damper, moving_kg, (state.w_m_s, way_m));
