@@ -24,9 +24,9 @@ use cmra_engine::model::units::{fixed_significant, significant, velocity};
 
 pub mod page;
 
-/// Statement on a plate without mount, spring, damper and stop.
+/// Footnote to the mark of a plate without mount, spring, damper and stop.
 pub const UNHELD: &str =
-    "nothing stops plate and projectile: not an alternative, only the effect of the mass ratio";
+    "* nothing stops plate and projectile: not an alternative, only the effect of the mass ratio";
 
 /// Name and meaning of the contour on a map.
 const LINE: (&str, &str) = ("line of 1", ": above 1 the armour is lighter than the solid plate");
@@ -59,6 +59,11 @@ const LINES: [&str; 22] = [
     "penetration_m",
 ];
 
+/// Marks a text about a plate that nothing holds; [`UNHELD`] says what the mark means.
+pub(crate) fn marked(text: &str, is_held: bool) -> String {
+    text.to_owned() + if is_held { "" } else { "*" }
+}
+
 /// Returns the table of the candidates.
 pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c Entry> {
     let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| format!("beyond {}", RANGE_M_S.1));
@@ -73,7 +78,7 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
         .field("scene", move |_| name)
         .with("candidate", "", "", |it| it.candidate.word())
         .with("outcome", "at the design velocity", "", |it| it.run.shot_outcome().word())
-        .shown(|it, word| Some(word.as_str()?.to_owned() + if it.is_held { "" } else { "*" }))
+        .shown(|it, word| Some(marked(word.as_str()?, it.is_held)))
         .with("verdict", "verdict", "", |it| it.shot.decision.word())
         .field("governed_by", |it| governed_by(it))
         .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())

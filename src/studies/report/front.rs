@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::report::compare::UNHELD;
+use crate::report::compare::{UNHELD, marked};
 use crate::report::page::Page;
 use crate::report::table::{Cells, Table};
 use crate::study::compare::is_held;
@@ -91,9 +91,27 @@ pub fn table<'c>(name: &'c str, front: &'c FrontReport) -> Table<'c, usize> {
     let verdict = move |row: &usize| Verdict::from_scene(&front.scene(of(row))).decision.word();
     let table = table
         .with("outcome", "outcome", "", move |row| of(row).outcome.key())
-        .field("held", move |row| is_held(&front.scene(of(row))))
+        .field("held", move |row| is_design_held(front, *row))
         .with("verdict", "verdict", "", verdict);
     table.with("plastic", "on a plastic interface", "", plastic)
+}
+
+/// Returns the name of a design in a list, marked if nothing holds the design.
+pub fn name(front: &FrontReport, at: usize, is_knee: bool) -> String {
+    let name = if is_knee { "knee".to_owned() } else { (at + 1).to_string() };
+    marked(&name, is_design_held(front, at))
+}
+
+fn is_design_held(front: &FrontReport, at: usize) -> bool {
+    is_held(&front.scene(&front.designs[at]))
+}
+
+/// Explains the mark of designs that nothing holds; `None` if these designs have none.
+pub fn unheld(
+    front: &FrontReport,
+    mut designs: impl Iterator<Item = usize>,
+) -> Option<&'static str> {
+    designs.any(|at| !is_design_held(front, at)).then_some(UNHELD)
 }
 
 /// Returns the columns of a page: numbers, outcome and verdict, and the plastic interface if a fused one exceeds its limit load.
@@ -159,16 +177,12 @@ fn designs(page: &mut Page, front: &FrontReport, reach: Reach) {
         let place = |at: usize| if listed > 1 { at * (count - 1) / (listed - 1) } else { 0 };
         let mut table = table("", front);
         table.rows = (0..listed).map(place).collect();
-        let numbers = (0..listed).map(|at| (place(at) + 1).to_string()).collect();
+        let numbers = (0..listed).map(|at| name(front, place(at), false)).collect();
         let mut cells = vec![Cells { head: String::new(), is_text: false, cells: numbers }];
         cells.extend(table.cells(&page_keys(front)));
         page.table(cells);
-        let is_free = |at: &usize| !is_held(&front.scene(&front.designs[*at]));
-        let free = (0..listed).map(place).filter(is_free).map(|at| (at + 1).to_string());
-        let free: Vec<String> = free.collect();
-        if !free.is_empty() {
-            page.paragraph(format!("design {}: {UNHELD}", free.join(", ")), 2);
-        }
+        let unheld = unheld(front, (0..listed).map(place));
+        unheld.into_iter().for_each(|text| page.paragraph(text, 2));
     }
     if listed < count {
         page.line(format!("      ({listed} of {count}; --csv FILE has them all)"));

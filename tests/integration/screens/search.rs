@@ -328,6 +328,19 @@ fn the_front_begins_at_its_knee_as_a_table_that_is_sorted() {
     assert!(bench.screen().contains("knee"), "{}", bench.screen());
 }
 
+/// The first design of the made-up front has no spring and no damper, the second one has both.
+#[test]
+fn a_design_that_nothing_holds_is_marked_and_the_mark_is_explained() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    bench.keys("4r");
+    answer(&mut bench);
+    bench.keys("gj");
+    let screen = bench.screen();
+    for mark in ["  1*   1.000 mm", "> 2    1.100 mm", "* nothing stops plate and projectile"] {
+        assert!(screen.contains(mark), "{mark}\n{screen}");
+    }
+}
+
 /// Where everything perforates there is no percentage of a baseline, and each page says what to do instead.
 #[test]
 fn a_result_without_any_value_says_what_to_do() {

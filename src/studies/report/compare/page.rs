@@ -42,7 +42,7 @@ pub fn parts(report: &ComparisonReport) -> [Vec<Block>; 3] {
     let caution = caution.map(|remark| Block::Fact { remark, column: 2 });
     let mut table = vec![Block::Table(beside(report))];
     if report.entries.iter().any(|entry| !entry.is_held) {
-        table.push(Block::Line(format!("* {UNHELD}")));
+        table.push(Block::Line(UNHELD.to_owned()));
     }
     let reasons = reasons(report).into_iter().map(Block::paragraph).collect();
     [caution.into_iter().collect(), table, reasons]

@@ -11,7 +11,7 @@ use crate::tui::pages::search::setup::{OBJECTIVES, brief};
 use crate::tui::pages::search::state::{RESULTS, Row, Searching};
 use crate::tui::pages::search::study_page::{Answer, note};
 use crate::worker::studies::SearchRequest;
-use cmra_studies::report::front::{lacks, page_keys, table, warnings};
+use cmra_studies::report::front::{lacks, name, page_keys, table, unheld, warnings};
 use cmra_studies::report::table::Cells;
 use cmra_studies::study::search::front::{self, DEFAULT, Design, FrontReport, Objective};
 use cmra_studies::study::sweep;
@@ -118,7 +118,10 @@ impl Answer for FrontReport {
             1 => "1 design".to_owned(),
             count => format!("{count} designs"),
         };
-        vec![note([Some(count), knee].into_iter().flatten().collect::<Vec<_>>().join(", "))]
+        let all = note([Some(count), knee].into_iter().flatten().collect::<Vec<_>>().join(", "));
+        let unheld = unheld(self, 0..self.designs.len());
+        let unheld = unheld.map(|text| (text.to_owned(), Role::Warning));
+        std::iter::once(all).chain(unheld).collect()
     }
 
     fn table(&self, app: &App) -> Vec<Cells> {
@@ -187,8 +190,7 @@ fn design_cells(tab: &Searching, front: &FrontReport) -> Vec<Cells> {
     // Objectives first, then variables.
     keys[..front.request.over.len() + objectives].rotate_left(front.request.over.len());
     let knee = tab.knee();
-    let name = |at| if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };
-    let names = (0..front.designs.len()).map(name).collect();
+    let names = (0..front.designs.len()).map(|at| name(front, at, knee == Some(at))).collect();
     let mut columns = table("", front).cells(&keys);
     columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });
     columns
