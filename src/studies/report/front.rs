@@ -181,8 +181,9 @@ fn designs(page: &mut Page, front: &FrontReport, reach: Reach) {
         let mut cells = vec![Cells { head: String::new(), is_text: false, cells: numbers }];
         cells.extend(table.cells(&page_keys(front)));
         page.table(cells);
-        let unheld = unheld(front, (0..listed).map(place));
-        unheld.into_iter().for_each(|text| page.paragraph(text, 2));
+        if let Some(text) = unheld(front, (0..listed).map(place)) {
+            page.paragraph(text, 2);
+        }
     }
     if listed < count {
         page.line(format!("      ({listed} of {count}; --csv FILE has them all)"));
