@@ -317,3 +317,32 @@ fn candidates_at_rest_are_told_apart_from_a_plate_that_moves() {
     assert!(told("compare", &["--set", "w_0=50"]).contains(words));
     assert!(!told("compare", &[]).contains(words));
 }
+
+/// A shot that the plate does not stop, by the scene's criterion, sizes no spring: then a run, a sweep and a comparison have no areal mass.
+/// The one at the limit is that of the plate, times one plus the mass of the spring that stores the energy at the limit over the plate's.
+#[test]
+fn the_areal_mass_is_that_of_a_run() {
+    for (pairs, is_stopped) in [
+        (&["v_i=100"][..], true),
+        (&["v_i=400"], false),
+        (&["v_i=230", "h=10mm", "criterion=protrusion"], false),
+    ] {
+        let sets: Vec<&str> = pairs.iter().flat_map(|pair| ["--set", pair]).collect();
+        let (found, run) = (json("compare", &sets), json("run", &sets));
+        let own = &found["candidates"]["scene"];
+        assert_eq!(own["areal_mass_kg_m2"], run["areal_mass_kg_m2"], "{pairs:?}");
+        assert_eq!(own["areal_mass_kg_m2"].is_f64(), is_stopped, "{pairs:?}");
+        let over = ["--over", "k=1e5..2e5:2", "--outputs", "areal_mass_kg_m2", "--csv", "-"];
+        let rows = printed("sweep", &[&sets[..], &over].concat());
+        assert_eq!(rows.lines().any(|row| row.contains(",,")), !is_stopped, "{pairs:?}: {rows}");
+        let number = |object: &Value, key: &str| object[key].as_f64().unwrap();
+        let spring_kg =
+            number(own, "stored_energy_at_limit_j") / number(&found, "spring_energy_j_per_kg");
+        let plate_kg_m2 = 2710.0 * number(own, "thickness_m");
+        let areal = plate_kg_m2 * (1.0 + spring_kg / 0.0295);
+        assert!(
+            (number(own, "areal_mass_at_limit_kg_m2") / areal - 1.0).abs() < 1e-12,
+            "{pairs:?}"
+        );
+    }
+}

@@ -34,7 +34,7 @@ const LINE: (&str, &str) = ("line of 1", ": above 1 the armour is lighter than t
 const SURVIVES: &str = "if spring holds";
 const DISPLACEMENT: &str = "max_plate_displacement_m";
 /// Keys of the lines of a page.
-const LINES: [&str; 22] = [
+const LINES: [&str; 23] = [
     "candidate",
     "mass_efficiency",
     "limit_velocity_m_s",
@@ -45,6 +45,7 @@ const LINES: [&str; 22] = [
     "outcome",
     "verdict",
     "areal_mass_kg_m2",
+    "areal_mass_at_limit_kg_m2",
     "stroke_m",
     "stroke_at_limit_m",
     "stored_energy_j",
@@ -89,7 +90,8 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
         .field("sized_thickness_m", |it| Some(it.sized.as_ref().ok()?.scene.target.thickness_m))
         .field("sized_areal_mass_kg_m2", |it| Some(it.sized.as_ref().ok()?.areal_kg_m2))
         .field("solid_areal_mass_kg_m2", |it| Some(it.sized.as_ref().ok()?.solid_areal_kg_m2))
-        .with("areal_mass_kg_m2", "areal mass", "kg/m^2", |it| it.areal_kg_m2)
+        .with("areal_mass_kg_m2", "areal mass", "kg/m^2", own("areal_mass_kg_m2"))
+        .with("areal_mass_at_limit_kg_m2", "  at the limit", "kg/m^2", at_limit("areal_mass_kg_m2"))
         .field("spring_mass_kg", |it| it.spring_kg)
         .with("limit_velocity_m_s", "ballistic limit", "m/s", |it| it.perforation.velocity_m_s())
         .shown(beyond)

@@ -69,7 +69,8 @@ pub struct Entry {
     pub run: Run,
     /// Whether a mount, spring, damper or stop stops the plate.
     pub is_held: bool,
-    /// Total counted mass over the face of the plate, kg/m²; `None` if the spring's mass is unknown.
+    /// Total counted mass over the face of the plate, kg/m², with springs that the fastest stopped shot sizes if the design shot perforates;
+    /// `None` if the spring's mass is unknown.
     pub areal_kg_m2: Option<f64>,
     /// Mass of the springs, kg.
     pub spring_kg: Option<f64>,

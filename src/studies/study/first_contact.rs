@@ -34,8 +34,8 @@ impl FirstContact {
     }
 
     /// The displacements of a plate that stops the shot: another shot does not size its springs.
-    pub(in crate::study) fn stopped_displacements_m(&self) -> Option<[f64; 2]> {
-        self.displacements_m().filter(|_| self.end.arrested)
+    pub(in crate::study) fn stopped_displacements_m(&self, scene: &Scene) -> Option<[f64; 2]> {
+        self.displacements_m().filter(|_| !is_perforated(scene, &self.end))
     }
 
     /// The end of a contact that ends in an arrest.

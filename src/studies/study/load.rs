@@ -91,6 +91,12 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     Some(if row.mode == ContactMode::Fused { given_n_s(row.t_s) } else { lost(row) })
 }
 
+/// Returns the mass of a plate and springs of this mass over the face of the plate, kg/m².
+pub(in crate::study) fn areal_kg_m2_with(scene: &Scene, spring_kg: f64) -> f64 {
+    let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
+    plate_kg_m2 * (1.0 + spring_kg / scene.plate_mass_kg())
+}
+
 /// Greatest energy in the springs between the extreme displacements of the plate, J.
 pub(in crate::study) fn spring_energy_j(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f64> {
     let spring = Mechanism::from_scene(scene).spring;

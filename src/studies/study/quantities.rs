@@ -267,9 +267,9 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::min_spring_kg(&run.scene, run.displacements_m())))
         .by_contact(Displacement(|it, scene| mount::min_spring_kg(scene, it.displacements_m()))).is(&[CountsSprings]),
     quantity("system_mass_kg", Mass, "plate and springs: their own mass where it is known, else their least mass; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::system_kg(&run.scene, mount::stopped_displacements_m(run))))
-        .by_contact(Displacement(|it, scene| mount::system_kg(scene, it.stopped_displacements_m()))).short("system").is(&[CountsSprings]),
+        .by_contact(Displacement(|it, scene| mount::system_kg(scene, it.stopped_displacements_m(scene)))).short("system").is(&[CountsSprings]),
     quantity("areal_mass_kg_m2", ArealMass, "plate and springs over the plate's face; a damper, a stop and the mount are not counted; springs behind a perforated plate are not sized, then there is none", Source::Run(|run| mount::areal_kg_m2(&run.scene, mount::stopped_displacements_m(run))))
-        .by_contact(Displacement(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacements_m()))).is(&[CountsSprings]),
+        .by_contact(Displacement(|it, scene| mount::areal_kg_m2(scene, it.stopped_displacements_m(scene)))).is(&[CountsSprings]),
     quantity("plate_face_m", Length, "side of the plate's square face: the plate is a block of its material", Source::Scene(|scene| scene.is_sprung().then(|| scene.plate_face_m()))),
     quantity("face_over_diameter", Number, "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", Source::Scene(envelope::face_ratio)),
     quantity("thickness_over_diameter", Number, "plate thickness over projectile diameter, h/D", Source::Scene(|scene| Some(envelope::thickness_ratio(scene)))),

@@ -1,6 +1,6 @@
 //! The spring of an armour: its mass, and its limits.
 
-use crate::study::load::spring_energy_j;
+use crate::study::load::{areal_kg_m2_with, spring_energy_j};
 use cmra_engine::model::mechanism::load::{exceeded, stress_ratio};
 use cmra_engine::model::mechanism::{Inertia, Mechanism};
 use cmra_engine::model::scene::Scene;
@@ -82,8 +82,7 @@ impl InstalledSpring {
 
     /// Returns the areal mass of a scene with this hardware, kg/m².
     pub(super) fn areal_kg_m2(&self, scene: &Scene) -> Option<f64> {
-        let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
-        Some(plate_kg_m2 * (1.0 + self.spring_kg? / scene.plate_mass_kg()))
+        Some(areal_kg_m2_with(scene, self.spring_kg?))
     }
 
     /// Returns the part that fails under a load case; `None` if all hold.

@@ -1,8 +1,9 @@
 //! Quantities of the mount, from the initial and turning positions of the plate: mount force, and masses of spring and plate.
 
-use crate::study::load::{self, spring_energy_j};
+use crate::study::load::{self, areal_kg_m2_with, spring_energy_j};
+use crate::study::outcome::PointOutcome;
 use cmra_engine::model::mechanism::{Inertia, Mechanism};
-use cmra_engine::model::run::{Outcome, Run};
+use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::numerics::larger;
 
@@ -13,7 +14,7 @@ pub(super) fn min_spring_kg(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f
 
 /// Returns the extreme plate displacements of a run with a stopped shot, m. A perforation does not size the springs.
 pub(super) fn stopped_displacements_m(run: &Run) -> Option<[f64; 2]> {
-    run.displacements_m().filter(|_| run.outcome != Outcome::Perforated)
+    run.displacements_m().filter(|_| !PointOutcome::from_run(run).is_through())
 }
 
 /// Returns the given mass of the springs, else their minimum mass, kg.
@@ -28,8 +29,7 @@ pub(super) fn system_kg(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f64> 
 
 /// Returns the mass of plate and springs over the face of the plate, kg/m².
 pub(super) fn areal_kg_m2(scene: &Scene, ends_m: Option<[f64; 2]>) -> Option<f64> {
-    let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
-    Some(plate_kg_m2 * (1.0 + spring_kg(scene, ends_m)? / scene.plate_mass_kg()))
+    Some(areal_kg_m2_with(scene, spring_kg(scene, ends_m)?))
 }
 
 /// Returns the maximum mount force of a run that ended before the maximum plate displacement, a lower bound.
