@@ -145,8 +145,8 @@ const LEGEND: [(&str, &str); 2] = [
     ("ends", "arrested, perforated, separated, moving (undecided), or CUT"),
     (
         "error",
-        "the greatest of depth, times, displacement, velocity and forces, against s stored digits, D DOP853 at 1e-13 \
-     or R Radau IIA of order 5 at 1e-12, or t this solver at 1e-13 where both fail",
+        "the greatest of depth, times, displacement, velocity and forces (of an undecided scene, of the first stop), against \
+     s stored digits, D DOP853 at 1e-13 or R Radau IIA of order 5 at 1e-12, or t this solver at 1e-13 where both fail",
     ),
 ];
 

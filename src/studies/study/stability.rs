@@ -4,11 +4,11 @@
 //! The constants below are the requirements on `auto`. This module depends on neither files nor threads nor screens; the clock is passed by
 //! the caller.
 
-use crate::study::accuracy::method::answer_of;
+use crate::study::accuracy::method::{answer_of, first_arrest_of};
 use crate::study::accuracy::reference::{Reference, ReferenceSource, References};
 use crate::study::context::{CancelFlag, Context};
 use cases::Case;
-use cmra_engine::model::run::Run;
+use cmra_engine::model::run::{Outcome, Run};
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::variables::VariableError;
 
@@ -46,9 +46,10 @@ pub struct Row {
     pub run: Run,
     /// Run time, s.
     pub took_s: f64,
-    /// Largest relative error of depth, times, displacement, velocity and forces; NaN if the outcome differs from that of the reference.
+    /// Largest relative error of depth, times, displacement, velocity and forces, of an undecided outcome that of the first arrest; NaN if the
+    /// outcome differs from that of the reference.
     pub error: Option<f64>,
-    /// Source of the reference; `None` if undecided, or if no other method finished.
+    /// Source of the reference; `None` if no method finished.
     pub basis: Option<ReferenceSource>,
     /// Requirement that `auto` fails; `None` if it meets all.
     pub shortfall: Option<FailureReason>,
@@ -85,8 +86,7 @@ fn examine(
     let start_s = now_s();
     let run = simulate(&scene, &Settings::BARE, &mut |_| stop.flow()).ok()?;
     let took_s = now_s() - start_s;
-    let references = References::from_scene(&scene, &mut |_| stop.flow());
-    let reference = references.other.or(references.engine);
+    let reference = reference_of(&run, stop);
     let error = reference.and_then(|reference| error_of(&run, &reference));
     let basis = reference.filter(|_| error.is_some()).map(|reference| reference.basis);
     let shortfall = shortfall(&run, error);
@@ -94,9 +94,24 @@ fn examine(
     (!stop.is_set()).then_some(row)
 }
 
-/// Returns the largest error of the results of a run; `None` if its outcome is undecided.
+/// Returns the reference for a run by another family of methods, or else by the engine at a tighter tolerance; for an undecided run that of
+/// its first arrest.
+fn reference_of(run: &Run, stop: &CancelFlag) -> Option<Reference> {
+    let references = match answer_of(run) {
+        Ok(_) => References::from_scene,
+        Err(_) => References::of_first_arrest,
+    };
+    let References { engine, other } = references(&run.scene, &mut |_| stop.flow());
+    other.or(engine)
+}
+
+/// Returns the largest error of the results that the reference has; `None` if the outcome of the run is undecided and that of the reference
+/// is not.
 fn error_of(run: &Run, reference: &Reference) -> Option<f64> {
-    let answer = answer_of(run).ok()?;
+    let answer = match reference.outcome {
+        Outcome::Moving => first_arrest_of(run),
+        _ => answer_of(run).ok(),
+    }?;
     if answer.outcome != reference.outcome {
         return Some(f64::NAN);
     }

@@ -11,7 +11,7 @@ use crate::study::quantities;
 use cmra_engine::model::contact_kernel::Contact;
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::step_by;
-use cmra_engine::model::run::{EndReason, Outcome, Run, RunSnapshot, Sample};
+use cmra_engine::model::run::{Cost, EndReason, Outcome, Run, RunSnapshot, Sample};
 use cmra_engine::model::scene::{ContactModel, InterfaceLaw, Listing, Scene};
 use cmra_engine::model::simulate::{Settings, simulate_by_law_alone, simulate_by_listing};
 
@@ -350,6 +350,17 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
         rejected: cost.rejected,
         evaluations: cost.rhs_evaluations,
     })
+}
+
+/// Returns depth and time of the first arrest, which an undecided run has as well; `None` without an arrest. For a stack they are those of
+/// the first plate.
+pub(in crate::study) fn first_arrest_of(run: &Run) -> Option<Answer> {
+    let arrest = run.first_arrest?;
+    let mut results = Results::default();
+    results.set(Compared::Depth, Some(arrest.penetration_m));
+    results.set(Compared::Time, Some(arrest.t_s));
+    let Cost { steps, rejected, rhs_evaluations: evaluations, .. } = run.cost;
+    Some(Answer { outcome: Outcome::Moving, results, steps, rejected, evaluations })
 }
 
 /// Runs the contact kernel. It computes the first contact only: its depth is final unless the interface can yield later.

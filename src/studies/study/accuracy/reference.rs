@@ -5,13 +5,16 @@
 //! Each is the reference for the other, and their difference is the uncertainty of both. Both have the same equations of motion, which
 //! tests check against independent ones.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::study::accuracy::method::{Answer, Compared, Results, answer_of, printed};
+use crate::study::accuracy::method::{
+    Answer, Compared, Results, answer_of, first_arrest_of, printed,
+};
 use cmra_engine::model::impact::IntegrationMethod;
 use cmra_engine::model::impact::reference_by;
 use cmra_engine::model::reference::Stored;
-use cmra_engine::model::run::{Observer, Outcome};
+use cmra_engine::model::run::{Observer, Outcome, Run, RunSnapshot};
 use cmra_engine::model::scene::{ContactModel, InterfaceLaw, Scene};
 use cmra_engine::model::variables::{Group, VARIABLES, changed_free_plate, is_used};
 use cmra_engine::numerics::larger;
@@ -128,9 +131,26 @@ pub struct References {
 impl References {
     /// Computes the references of a valid scene.
     pub fn from_scene(scene: &Arc<Scene>, observer: Observer<'_>) -> Self {
+        Self::new(scene, |run| answer_of(run).ok(), observer)
+    }
+
+    /// Computes the references for the first arrest in a valid scene whose outcome stays undecided; their outcome is
+    /// [`Outcome::Moving`].
+    pub fn of_first_arrest(scene: &Arc<Scene>, observer: Observer<'_>) -> Self {
+        let until_arrest = &mut |look: &RunSnapshot<'_>| match (look.so_far)() {
+            Some(run) if run.first_arrest.is_some() => ControlFlow::Break(()),
+            _ => observer(look),
+        };
+        Self::new(scene, first_arrest_of, until_arrest)
+    }
+
+    fn new(
+        scene: &Arc<Scene>,
+        answer_of: impl Fn(&Run) -> Option<Answer>,
+        observer: Observer<'_>,
+    ) -> Self {
         let mut by = |stepping: IntegrationMethod| {
-            let run = reference_by(stepping, scene, &mut *observer).ok().flatten()?;
-            answer_of(&run).ok()
+            answer_of(&reference_by(stepping, scene, &mut *observer).ok().flatten()?)
         };
         let engine = by(IntegrationMethod::Collocation(TIGHT));
         let other = by(IntegrationMethod::Dop853(TIGHT))

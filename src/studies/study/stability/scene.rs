@@ -3,9 +3,9 @@
 
 use std::sync::Arc;
 
-use crate::study::accuracy::reference::{ReferenceSource, References};
+use crate::study::accuracy::reference::ReferenceSource;
 use crate::study::context::Context;
-use crate::study::stability::error_of;
+use crate::study::stability::{error_of, reference_of};
 use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::mechanism::inertia::moving_plate_kg;
 use cmra_engine::model::run::Run;
@@ -49,13 +49,8 @@ pub fn run(
     variables::validate(scene)?;
     let stop = context.stop();
     context.expect(TOLERANCES.len());
-    let references = References::from_scene(&Arc::new(scene.clone()), &mut |_| stop.flow());
-    let reference = references.other.or(references.engine);
-    let mut found = SceneStability {
-        stiffness_ratio: None,
-        basis: reference.map(|it| it.basis),
-        rows: Vec::new(),
-    };
+    let mut reference = None;
+    let mut found = SceneStability { stiffness_ratio: None, basis: None, rows: Vec::new() };
     for tolerance in TOLERANCES {
         if !context.show(&found) {
             break;
@@ -71,7 +66,9 @@ pub fn run(
             break;
         }
         context.count(1);
+        let reference = reference.get_or_insert_with(|| reference_of(&run, &stop));
         let error = reference.and_then(|reference| error_of(&run, &reference));
+        found.basis = reference.map(|it| it.basis);
         found.stiffness_ratio = stiffness_ratio(&run);
         found.rows.push(ToleranceRow { run, error });
     }
