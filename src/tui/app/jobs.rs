@@ -227,8 +227,12 @@ pub(crate) fn run_due(app: &mut App, serial: u64) {
 
 /// Handles the report of a task; ignores replaced tasks. Returns the study whose page handles the report.
 pub(crate) fn report(app: &mut App, report: TaskReport) -> Option<(Running, ReportBody)> {
-    if report.body.is_last() {
+    if report.body.is_last() && app.jobs.is_long(report.id) {
         app.jobs.long.retain(|id| *id != report.id);
+        // A question whether to end this job is answered.
+        if app.jobs.awaiting_confirmation.take().is_some() {
+            app.notice = None;
+        }
     }
     let TaskReport { id, body } = report;
     if app.jobs.current.as_ref().is_some_and(|job| job.id == id) {

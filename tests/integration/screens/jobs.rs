@@ -314,6 +314,25 @@ fn ctrl_c_ends_a_long_job_only_after_a_question() {
     assert!(quits(&bench));
 }
 
+/// The job has ended by itself: nothing is left to ask, and the key asks again before it quits.
+#[test]
+fn a_question_about_a_job_goes_with_the_job() {
+    for key in ["<C-c>", "<Esc>", "q", "r"] {
+        let mut bench = in_search((80, 24));
+        bench.press("r");
+        let id = bench.app.jobs.studies.last().expect("a search").id;
+        bench.send(Message::LongJob(id));
+        bench.press(key);
+        assert!(
+            bench.message().contains("is running") || bench.message().contains("more than 5 s")
+        );
+        bench.reply(id, ReportBody::Ended(None));
+        assert!(!bench.screen().contains("again"), "{}", bench.screen());
+        bench.press("<C-c>");
+        assert!(bench.message().contains("no job is running"), "{key}: {}", bench.message());
+    }
+}
+
 #[test]
 fn an_error_stays_with_the_page_that_was_searched() {
     let mut bench = search::open(GlyphSet::Ascii, (80, 24));
