@@ -49,10 +49,10 @@ pub struct Sidecar<'a> {
     pub command: String,
 }
 
-/// File extensions of other formats, which are rejected as targets.
-const FORMATS: [&str; 16] = [
-    "docx", "gif", "gz", "jpeg", "jpg", "json", "md", "ods", "parquet", "pdf", "png", "tsv", "xls",
-    "xlsm", "xlsx", "zip",
+/// File extensions of formats; a target with that of another format is rejected.
+const FORMATS: [&str; 20] = [
+    "csv", "docx", "gif", "gz", "html", "jpeg", "jpg", "json", "md", "ods", "parquet", "pdf",
+    "png", "svg", "toml", "tsv", "xls", "xlsm", "xlsx", "zip",
 ];
 
 /// Checks that a file can be written in a format such as `csv`: it is no input, its name is free or may be replaced, and its extension is

@@ -77,7 +77,10 @@ fn no_format_is_written_under_the_name_of_another() {
         ("--csv", "run.xlsx", "run.csv"),
         ("--csv", "run.JSON", "run.csv"),
         ("--csv", "run.toml", "run.csv"),
+        ("--csv", "run.svg", "run.csv"),
         ("--svg", "run.png", "run.svg"),
+        ("--svg", "run.csv", "run.svg"),
+        ("--svg", "run.html", "run.svg"),
     ] {
         let error = says("run", &[option, &at(name)], 2).1;
         assert!(error.contains(name) && error.contains(cure), "{error}");
