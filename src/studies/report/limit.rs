@@ -8,7 +8,7 @@ use crate::report::page::Page;
 use crate::report::svg::Picture;
 use crate::report::table::Table;
 use crate::report::verdict;
-use crate::study::compare::is_spring_sized_by_shot;
+use crate::study::compare::{is_held, is_spring_sized_by_shot};
 use crate::study::envelope;
 use crate::study::limit::residual_law::ResidualLaw;
 use crate::study::limit::{
@@ -42,7 +42,14 @@ pub fn remarks(report: &LimitReport) -> Vec<Remark> {
     remarks.extend(report.undecided().map(|text| Remark::caution("warning", text)));
     remarks.extend(report.caution().map(|text| Remark::caution("caution", text)));
     if let Some(run) = report.at_limit.as_ref().filter(|_| !report.scene.is_stack()) {
-        let none = || "nothing stops plate and projectile: no stroke, no mount force".to_owned();
+        let none = || {
+            let reason = if is_held(&report.scene) {
+                "stroke and mount force are not known: the outcome of the shot just below it is undecided"
+            } else {
+                "nothing stops plate and projectile: no stroke, no mount force"
+            };
+            reason.to_owned()
+        };
         remarks.push(Remark::new("at the limit", load(run).unwrap_or_else(none)));
     }
     if is_spring_sized_by_shot(&report.scene) {
@@ -438,6 +445,19 @@ mod tests {
             let note = words.iter().find(|it| it.contains("Just above the limit"));
             assert_eq!(note.is_some(), said.is_some(), "{pairs}: {words:?}");
             assert!(said.is_none_or(|said| note.unwrap().contains(said)), "{note:?}");
+        }
+    }
+
+    /// A spring holds it, whether or not the run says how far the plate goes.
+    #[test]
+    fn an_undecided_shot_at_the_limit_is_not_called_unstopped() {
+        let pairs = "gamma=7.01519 h=0.0704588 d=0.00242746 k=3.08054e7 n=0.374757 interface=plastic weight=on";
+        for (pairs, said) in [(pairs, "undecided"), ("gamma=1", "nothing stops")] {
+            let scene = Arc::new(changed_free_plate(pairs).unwrap());
+            let report = limit::find(&scene, &mut Context::new(1, &mut never_cancel)).unwrap();
+            let remarks = remarks(&report);
+            let at_limit = remarks.iter().find(|it| it.about == "at the limit").unwrap();
+            assert!(at_limit.text.contains(said), "{pairs}: {}", at_limit.text);
         }
     }
 }

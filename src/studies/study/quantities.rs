@@ -227,7 +227,7 @@ pub static QUANTITIES: &[Quantity] = &[
         .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))).titled("plate displacement at first stop").briefly("travel at stop"),
     result(ArrestPlateVelocity, Velocity, "the first common velocity of projectile and plate")
         .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))).titled("common velocity at first stop").briefly("speed at stop"),
-    quantity(FinalPenetration.key(), Length, "depth of the hole at the end; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
+    quantity(FinalPenetration.key(), Length, "depth of the hole at the end; of a perforated plate, where the nose has left it; of a stack, in all its plates", Source::Run(Run::shot_depth_m))
         .by_contact(End(|it| Some(it.end.penetration_m)))
         .at_least(|run| run.at_least.penetration_m).titled("final depth").short("depth").is(&[OfStack, OfHole]),
     quantity("percent_of_baseline", Number, "final depth over that of the same plate on a rigid mount, percent", Source::Run(Run::percent_of_baseline))
