@@ -2,7 +2,7 @@
 
 use cmra::files::read;
 use cmra_engine::model::contact_kernel::Contact;
-use cmra_engine::model::mechanism::Mechanism;
+use cmra_engine::model::mechanism::{Mechanism, load};
 use cmra_engine::model::run::{Outcome, Run, RunWarning};
 use cmra_engine::model::scene::{Scene, SpringKind};
 use cmra_engine::model::variables;
@@ -431,5 +431,30 @@ fn every_kind_is_written_and_read_without_loss() {
             let updated = cmra::files::write::updated(&plain, "own.toml", &own).unwrap();
             assert_eq!(read::scene(&updated, "own.toml").unwrap(), own, "{updated}");
         }
+    }
+}
+
+/// Behind its rest position this spring has no force. There a damper alone takes up the momentum of plate and projectile, over a way of
+/// momentum over b; without damper nothing does, whether they move backwards at once or come back from the spring.
+#[test]
+fn a_plate_that_runs_off_the_backward_end_of_a_table_is_said_to() {
+    for (pairs, back_m) in [
+        ("v_i=5 w_0=-50 b=10", 0.0295 * (5.0 - 50.0) / 10.0),
+        ("v_i=5 w_0=-50", f64::NEG_INFINITY),
+        ("v_i=50", f64::NEG_INFINITY),
+        ("v_i=50 x_stop=1mm e=1", f64::NEG_INFINITY),
+    ] {
+        let mut own = scene(&format!("spring=table {pairs}"));
+        own.mechanism.spring.table.points = [[-1e-3, 0.0], [0.0, 0.0], [0.5, 5e4]].into();
+        let found = run(own);
+        let warned = found.warnings.iter().find_map(|warning| match warning {
+            RunWarning::Limit(limit) => Some(limit.required_m),
+            _ => None,
+        });
+        let warned_m = warned.unwrap_or_else(|| panic!("{pairs}: {:?}", found.warnings));
+        assert!((1.0 / warned_m - 1.0 / back_m).abs() < 1e-5, "{pairs}: {warned_m}");
+        let margin = load::travel_margin(&found.scene, found.displacements_m().unwrap()).unwrap();
+        assert!((margin - 1e-3 / back_m.abs()).abs() < 1e-7, "{pairs}: {margin}");
+        assert!(found.mechanism.stored_j.unwrap().is_finite(), "{pairs}");
     }
 }

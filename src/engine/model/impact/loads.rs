@@ -97,21 +97,39 @@ impl ImpactRun<'_> {
         // The energy is conserved on the way to the peak of the spring force and back.
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         record.note_loads(&Equations { setup, mode }, state, most_n, |_| None);
-        if back_m.is_finite() {
-            record.loads.backmost_m = smaller(back_m, record.loads.backmost_m);
-        }
+        self.note_way_back(back_m);
         false
     }
 
+    /// Records a displacement behind the plate that it reaches; an infinite one only past a limit of the spring.
+    fn note_way_back(&mut self, back_m: f64) {
+        if back_m.is_finite() || self.is_past_limit(back_m) {
+            let known_m = &mut self.record.loads.backmost_m;
+            *known_m = smaller(back_m, *known_m);
+        }
+    }
+
+    fn is_past_limit(&self, x_m: f64) -> bool {
+        load::travel_margin(self.scene, [x_m; 2]).is_some_and(|margin| margin < 1.0)
+    }
+
     /// Returns `true` if the spring stores more at a displacement behind the plate, or is closer to its limits there, than so far.
-    fn is_loaded_more_at(&self, back_m: f64) -> bool {
+    /// Records that a plate which nothing stops is past all limits.
+    fn is_loaded_more_at(&mut self, back_m: f64) -> bool {
         let (spring, known_m) = (&self.setup.spring, self.record.loads.backmost_m);
         let far_m = self.decided.map_or(self.record.farthest_m, |(_, far_m)| far_m);
-        if !(back_m.is_finite() && far_m.is_finite() && back_m < known_m) {
+        if !(far_m.is_finite() && back_m < known_m) {
             return false;
         }
-        let known_j = spring.greatest_energy(known_m, far_m);
+        if back_m.is_infinite() {
+            if self.equations().is_gone_backwards(&self.state) {
+                self.note_way_back(back_m);
+                return false;
+            }
+            return self.is_past_limit(back_m);
+        }
         let margin = |ends_m: [f64; 2]| load::travel_margin(self.scene, ends_m);
+        let known_j = spring.greatest_energy(known_m, far_m);
         spring.greatest_energy(back_m, known_m) > known_j * (1.0 + RESOLUTION)
             || margin([back_m; 2])
                 .zip(margin([known_m, far_m]))

@@ -170,11 +170,15 @@ impl Spring {
         }
     }
 
-    /// Returns the maximum energy stored between two displacements, J.
+    /// Returns the maximum energy stored between two displacements, J; an infinite one is that of a plate which the spring does not stop.
     pub fn greatest_energy(&self, from_m: f64, to_m: f64) -> f64 {
         let (low, high) = if from_m < to_m { (from_m, to_m) } else { (to_m, from_m) };
         let inside = self.stations_m().0.iter().copied().filter(|x| (low..=high).contains(x));
-        inside.chain([low, high]).map(|x| self.energy(x)).fold(0.0, larger)
+        inside
+            .chain([low, high])
+            .filter(|x| x.is_finite())
+            .map(|x| self.energy(x))
+            .fold(0.0, larger)
     }
 
     /// Returns the displacement that a plate reaches from x with a total energy, forward (1) or backward (-1), m; infinite if the spring
