@@ -418,14 +418,13 @@ impl Run {
         Some([self.mechanism.backmost_m.unwrap_or_else(|| self.scene.start_m()), far_m])
     }
 
-    /// Returns the time of maximum displacement, s; of a plate that is held or creeps there, when it is there within a tolerance. `None` if
-    /// the time series ends before.
+    /// Returns the time of maximum displacement, s; `None` if the plate only approaches it, or if its motion was not followed so far.
     pub fn max_displacement_time_s(&self) -> Option<f64> {
         let far_m = self.max_plate_displacement_m.filter(|_| self.scene.is_sprung())?;
         let is_there = |x_m: f64| far_m - x_m <= REACHED * far_m.abs();
         let turned = self.mechanism.turn.filter(|[x_m, _]| is_there(*x_m)).map(|[_, t_s]| t_s);
-        let shown = || self.series.iter().find(|row| is_there(row.plate_displacement_m));
-        turned.or_else(|| shown().map(|row| row.t_s))
+        // A plate that is thrown back, or stands still, is farthest at the start.
+        turned.or_else(|| is_there(self.scene.start_m()).then_some(0.0))
     }
 
     /// Returns the work of the projectile's weight over the stroke, relative to the kinetic energy of the impact; `None` without a stroke.

@@ -78,17 +78,32 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
         m_p * cos * struck + plate_n_s + scene.weight_n() * cos * cos * acts_s
     };
     let lost = |row: &Sample| given_n_s(row.t_s) - m_p * cos * row.projectile_velocity_m_s;
-    let last = run.series.last()?;
-    // At its greatest displacement the plate is at rest for a moment, with a projectile that is in it.
-    let Some(far_m) = run.max_plate_displacement_m else {
-        return Some(lost(last) - plate_kg * last.plate_velocity_m_s);
+    // Up to a row from which on the plate is at rest, with a projectile that is in it.
+    let at_rest = |row: &Sample| {
+        if row.mode == ContactMode::Fused { given_n_s(row.t_s) } else { lost(row) }
     };
-    // On a stop it may stay, or be there again and again: the last time counts.
+    let last = run.series.last()?;
+    // A weight acts without an end on a plate that slows down without an end.
+    let in_the_end = || Some(at_rest(last)).filter(|_| scene.weight_n() == 0.0);
+    let Some(far_m) = run.max_plate_displacement_m else {
+        return if mechanism.damper.is_absent() {
+            Some(lost(last) - plate_kg * last.plate_velocity_m_s)
+        } else {
+            in_the_end()
+        };
+    };
     let most_m = run.series.iter().map(|row| row.plate_displacement_m).fold(f64::MIN, larger);
-    let turn =
-        run.series.iter().rfind(|row| most_m - row.plate_displacement_m <= SAME * far_m.abs());
-    let row = turn.filter(|_| far_m - most_m <= REACHED * far_m.abs()).unwrap_or(last);
-    Some(if row.mode == ContactMode::Fused { given_n_s(row.t_s) } else { lost(row) })
+    let is_there = |row: &&Sample| most_m - row.plate_displacement_m <= SAME * far_m.abs();
+    match run.max_displacement_time_s() {
+        // Thrown back, the plate has loaded nothing yet.
+        Some(0.0) if scene.plate.velocity_m_s < 0.0 => Some(0.0),
+        // On a stop it may stay, or be there again and again: the last time counts.
+        Some(_) if far_m - most_m <= REACHED * far_m.abs() => {
+            run.series.iter().rfind(is_there).map(at_rest)
+        }
+        Some(_) => None,
+        None => Some(last).filter(is_there).and_then(|_| in_the_end()),
+    }
 }
 
 /// Returns the mass of a plate and springs of this mass over the face of the plate, kg/m².
