@@ -719,28 +719,28 @@ fn no_output_takes_the_place_of_an_input() {
     assert_eq!(in_folder(place.path(), "run --csv made.csv").code, 0);
     let scene = fs::read_to_string(at("made.toml")).unwrap();
     let curve = "displacement_m,force_n\n0,0\n0.01,1000\n0.02,3000\n";
-    for name in ["plate.toml", "plate.html", "plate.svg"] {
+    for name in ["plate.toml", "plate.html", "plate.svg", "plate.txt"] {
         fs::write(at(name), &scene).unwrap();
     }
     let traces = "time_ms,displacement_mm\n1,20\n2.714,42\n";
     let measured = "threat,material,h [mm],limit_m_s\nm2-ap-core,aa6082-t651,20,490\n";
-    let others = [("t.csv", curve), ("traces.csv", traces), ("measured.csv", measured)];
+    let others =
+        [("t.csv", curve), ("t.svg", curve), ("traces.csv", traces), ("measured.csv", measured)];
     for (name, text) in others {
         fs::write(at(name), text).unwrap();
     }
     std::os::unix::fs::symlink(at("plate.toml"), at("link.svg")).unwrap();
     for words in [
-        "run plate.toml --svg plate.toml",
         "run plate.toml --svg link.svg",
         "run plate.svg --svg ./plate.svg",
         "run made.toml --set gamma=2 --csv made.csv",
         "run --set table=t.csv --csv t.csv",
-        "run --set table=t.csv --svg t.csv",
+        "run --set table=t.svg --svg t.svg",
         "sweep --over gamma=1..2:3 --set table=t.csv --csv t.csv",
         "limit --set table=t.csv --csv t.csv",
         "seek --over gamma=1..2:5 --goal stroke_m=0.1 --set table=t.csv --csv t.csv",
         "compare --set table=t.csv --csv t.csv",
-        "stability plate.svg --map k --csv plate.svg",
+        "stability plate.txt --map k --csv plate.txt",
         "report plate.html -o plate.html",
         "report --set table=t.csv -o t.html",
         "run yang-xi --with traces.csv --csv traces.csv",
@@ -757,7 +757,7 @@ fn no_output_takes_the_place_of_an_input() {
         for (name, text) in others {
             assert_eq!(fs::read_to_string(at(name)).unwrap(), text, "{words}");
         }
-        for name in ["plate.toml", "plate.html", "plate.svg", "made.toml"] {
+        for name in ["plate.toml", "plate.html", "plate.svg", "plate.txt", "made.toml"] {
             assert_eq!(fs::read_to_string(at(name)).unwrap(), scene, "{words}");
         }
     }
