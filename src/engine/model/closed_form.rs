@@ -297,6 +297,16 @@ impl Passage<'_> {
     }
 }
 
+/// Returns duration, s, and travel, m, of the hydrodynamic contact on a rigid mount, up to the exit for a perforation.
+pub(super) fn hydrodynamic_on_rigid_mount(scene: &Scene) -> (f64, f64) {
+    let geometry = Geometry::from_scene(scene);
+    let passage = Passage::rigid(scene, &geometry);
+    let arrest_m = passage.arrest_m();
+    let end_s = passage.time_s(arrest_m);
+    let at_speed_s = geometry.exit_m / scene.projectile.velocity_m_s;
+    (if end_s.is_finite() { end_s } else { at_speed_s }, arrest_m.unwrap_or(geometry.exit_m))
+}
+
 /// Computes the results of a shot at a rigid or free plate in closed form. Returns `None` for other plates, other contact models, oblique
 /// shots (their swept volumes are integrals) and runs with a horizon.
 pub(super) fn results(scene: &Scene) -> Option<Run> {

@@ -3,8 +3,8 @@
 //! A model defines the contact force; `impact` has the modes and events. A result that a model does not define is absent: no depth without
 //! an interface, no peak force for an instantaneous collision. The listing of Appendix A has its own time stepping: see `appendix`.
 
-use crate::model::closed_form::Passage;
-use crate::model::contact::Geometry;
+use crate::model::contact_models::half_sine::duration_s;
+use crate::model::contact_models::lumped::stiffnesses_n_m;
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::units::{engineering, shortest, significant};
 
@@ -58,34 +58,6 @@ impl ContactModel {
 /// Returns a note if a parameter is not given.
 fn auto(given: Option<f64>) -> &'static str {
     if given.is_none() { " (auto)" } else { "" }
-}
-
-/// Default ratio of unloading to loading stiffness: a hundredth of the dent and a tenth of the velocity are recovered.
-const UNLOAD_PER_LOAD: f64 = 100.0;
-
-/// Returns the duration of the half-sine history, s; by default that of the hydrodynamic contact on a rigid mount.
-fn duration_s(scene: &Scene) -> f64 {
-    scene.contact.duration_s.unwrap_or_else(|| hydrodynamic_on_rigid_mount(scene).0)
-}
-
-/// Returns loading and unloading stiffness of the lumped interface, N/m. The default loading stiffness gives the travel of the hydrodynamic
-/// contact on a rigid mount.
-fn stiffnesses_n_m(scene: &Scene) -> (f64, f64) {
-    let load_n_m = scene.contact.load_stiffness_n_m.unwrap_or_else(|| {
-        let speed_per_s = scene.projectile.velocity_m_s / hydrodynamic_on_rigid_mount(scene).1;
-        scene.projectile.mass_kg * speed_per_s * speed_per_s
-    });
-    (load_n_m, scene.contact.unload_stiffness_n_m.unwrap_or(UNLOAD_PER_LOAD * load_n_m))
-}
-
-/// Returns duration, s, and travel, m, of the hydrodynamic contact on a rigid mount, up to the exit for a perforation.
-fn hydrodynamic_on_rigid_mount(scene: &Scene) -> (f64, f64) {
-    let geometry = Geometry::from_scene(scene);
-    let passage = Passage::rigid(scene, &geometry);
-    let arrest_m = passage.arrest_m();
-    let end_s = passage.time_s(arrest_m);
-    let at_speed_s = geometry.exit_m / scene.projectile.velocity_m_s;
-    (if end_s.is_finite() { end_s } else { at_speed_s }, arrest_m.unwrap_or(geometry.exit_m))
 }
 
 #[cfg(test)]

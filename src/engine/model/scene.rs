@@ -12,7 +12,9 @@ mod bodies;
 mod contact;
 mod mechanism;
 
-pub use crate::model::mechanism::kinds::{Beam, OwnMass, Spring, SpringKind, Table, Wire};
+pub use crate::model::mechanism::kinds::beam::Beam;
+pub use crate::model::mechanism::kinds::table::Table;
+pub use crate::model::mechanism::kinds::{OwnMass, Spring, SpringKind, Wire};
 use bodies::is_sprung;
 pub use bodies::{
     Closure, Core, Criterion, DragSource, Mount, Nose, Plate, PlateSize, Projectile, Target,

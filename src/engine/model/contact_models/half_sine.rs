@@ -7,8 +7,13 @@
 
 use std::f64::consts::PI;
 
-use super::duration_s;
+use crate::model::closed_form::hydrodynamic_on_rigid_mount;
 use crate::model::scene::Scene;
+
+/// Returns the duration of the half-sine history, s; by default that of the hydrodynamic contact on a rigid mount.
+pub(super) fn duration_s(scene: &Scene) -> f64 {
+    scene.contact.duration_s.unwrap_or_else(|| hydrodynamic_on_rigid_mount(scene).0)
+}
 
 /// Prescribed force history, a function of time only.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Contact law of the integration loop.
 
-use super::half_sine::History;
-use super::lumped::Lumped;
+use crate::model::contact_models::half_sine::History;
+use crate::model::contact_models::lumped::Lumped;
 use crate::model::run::RunWarning;
 use crate::model::scene::{ContactModel, Scene};
 

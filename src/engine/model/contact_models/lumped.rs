@@ -3,8 +3,21 @@
 //! The interface loads with `k_load` and unloads with the larger `k_unload`. The residual dent is `delta_max (1 - k_load/k_unload)`;
 //! reloading follows `k_unload` up to `delta_max`. The interface has no tension. The dent is the depth; the model has no rear face.
 
-use super::stiffnesses_n_m;
+use crate::model::closed_form::hydrodynamic_on_rigid_mount;
 use crate::model::scene::Scene;
+
+/// Default ratio of unloading to loading stiffness: a hundredth of the dent and a tenth of the velocity are recovered.
+const UNLOAD_PER_LOAD: f64 = 100.0;
+
+/// Returns loading and unloading stiffness of the lumped interface, N/m. The default loading stiffness gives the travel of the hydrodynamic
+/// contact on a rigid mount.
+pub(super) fn stiffnesses_n_m(scene: &Scene) -> (f64, f64) {
+    let load_n_m = scene.contact.load_stiffness_n_m.unwrap_or_else(|| {
+        let speed_per_s = scene.projectile.velocity_m_s / hydrodynamic_on_rigid_mount(scene).1;
+        scene.projectile.mass_kg * speed_per_s * speed_per_s
+    });
+    (load_n_m, scene.contact.unload_stiffness_n_m.unwrap_or(UNLOAD_PER_LOAD * load_n_m))
+}
 
 /// Lumped interface.
 #[derive(Clone, Copy, Debug, PartialEq)]

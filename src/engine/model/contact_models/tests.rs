@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::stiffnesses_n_m;
+use super::lumped::stiffnesses_n_m;
 use crate::model::appendix::Scheme;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EndReason, EventKind, NotModelled, Outcome, Run, RunWarning, Sample};

@@ -11,7 +11,7 @@ use crate::model::variables::error::VariableError;
 use crate::model::variables::part::{NO_VALUES, part, parts, placed};
 use crate::model::variables::row::{Group, Row};
 
-mod beam;
+pub(in crate::model) mod beam;
 mod bistable;
 mod column;
 mod constant;
@@ -19,11 +19,9 @@ mod crush;
 mod helix;
 mod normalised;
 mod power_law;
-mod table;
+pub(in crate::model) mod table;
 mod wire;
 
-pub use beam::Beam;
-pub use table::Table;
 pub use wire::{OwnMass, Wire};
 
 /// Defines the spring and its kinds in the order of lists. A line has a module, its parameters, and the kinds with these parameters and
