@@ -37,7 +37,6 @@ use std::fmt::Display;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra_engine::model::mechanism::Mechanism;
 use cmra_engine::model::run::Run;
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::simulate::{Settings, simulate};
@@ -53,14 +52,7 @@ pub(crate) fn run_with(scene: &Scene, settings: Settings) -> Option<Run> {
     simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).ok()
 }
 
-/// Returns the settings of a run for its results alone, without error estimate. A plate may hit its rigid stop after the outcome is decided;
-/// only a run with its series continues to that hit.
-pub(crate) fn plain_settings(scene: &Scene) -> Settings {
-    let has_rigid_stop = Mechanism::from_scene(scene).rigid_stop().is_some();
-    Settings { series: has_rigid_stop, ..Settings::BARE }
-}
-
 /// Runs a scene for its results alone, without error estimate.
 pub(crate) fn plain_run(scene: &Scene) -> Option<Run> {
-    run_with(scene, plain_settings(scene))
+    run_with(scene, Settings::BARE)
 }

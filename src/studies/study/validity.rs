@@ -5,14 +5,13 @@ use std::sync::Arc;
 
 use crate::study::envelope::{self, Breach, Check, Direction};
 use crate::study::library;
-use crate::study::plain_settings;
 use crate::study::quantities::{Quantity, QuantityFlag, Search};
 use crate::study::sweep::axis::scene_with;
 use crate::study::sweep::{Axis, Plan, PointOutcome};
 use crate::study::verdict::Verdict;
 use cmra_engine::model::run::{EndReason, Run, Warning};
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
-use cmra_engine::model::simulate::simulate;
+use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::model::units::{shortest, significant};
 use cmra_engine::model::variables;
 
@@ -52,7 +51,7 @@ fn run_while(scene: &Scene, steps_max: usize, goes_on: &mut dyn FnMut() -> bool)
     let mut own = scene.clone();
     own.sweep = None;
     let mut steps = 0;
-    let run = simulate(&Arc::new(own), &plain_settings(scene), &mut |_| {
+    let run = simulate(&Arc::new(own), &Settings::BARE, &mut |_| {
         steps += 1;
         let is_cut = steps > steps_max || steps.is_multiple_of(LOOK) && !goes_on();
         if is_cut { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

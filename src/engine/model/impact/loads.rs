@@ -72,10 +72,8 @@ impl ImpactRun<'_> {
             return false;
         }
         let energy_j = equations.energy_j(state);
-        // A rigid stop asks fused bodies for an unbounded force.
-        if is_joined
-            && !setup.interface.is_plastic
-            && equations.meets_rigid_stop(state, energy_j)
+        // A rigid stop exerts an unbounded force.
+        if equations.meets_rigid_stop(state, energy_j)
             && record.events.iter().all(|event| event.kind != EventKind::StopHit)
         {
             return true;

@@ -10,7 +10,6 @@ use crate::study::compare::{self, Hardware, WIDTH};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
 use crate::study::outcome::{Failure, PointOutcome};
-use crate::study::plain_settings;
 use crate::study::quantities::{Quantity, QuantityFlag, Search};
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
@@ -130,9 +129,7 @@ impl<'p> Evaluator<'p> {
         let outputs = self.plan.outputs();
         let series = outputs.iter().any(|it| it.needs_course());
         let scene = &self.scene;
-        let plain = plain_settings(scene);
-        let settings =
-            &Settings { series: series || plain.series, estimate: self.estimate, ..plain };
+        let settings = &Settings { series, estimate: self.estimate, ..Settings::BARE };
         let work = || {
             let run = simulate::simulate(scene, settings, &mut observer).ok()?;
             let known = outputs.iter().filter(|_| run.end.is_complete());
