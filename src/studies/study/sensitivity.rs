@@ -90,6 +90,8 @@ pub struct Effect {
     pub axis: Axis,
     /// Value of the variable in the scene, in the stored unit.
     pub own: Option<f64>,
+    /// Result of the unchanged scene.
+    pub own_result: Option<f64>,
     /// Results at [`POINTS`] points, evenly spaced on the scale of the axis; `None` if not computed.
     pub points: [Option<Value>; POINTS],
     /// Derivative of the result with respect to the variable at its value in the scene.
@@ -102,9 +104,10 @@ impl Effect {
         self.points.iter().flatten().count()
     }
 
-    /// Iterates over the results that exist, from the low end to the high end.
+    /// Iterates over the results that exist: at the points from the low end to the high end, then of the scene itself if its value is within.
     pub fn results(&self) -> impl Iterator<Item = f64> {
-        self.points.iter().flatten().filter_map(|it| it.result)
+        let own = self.own_result.filter(|_| self.own_cell(1).is_some());
+        self.points.iter().flatten().filter_map(|it| it.result).chain(own)
     }
 
     /// Returns the minimum and maximum result; `None` without results.
@@ -269,7 +272,7 @@ pub fn compute(
     let plans: Vec<Plan> = axes.iter().map(plan).collect::<Result<_, _>>()?;
     let effect = |axis: Axis| {
         let own = axis.get(scene);
-        Effect { axis, own, points: [None; POINTS], slope: None }
+        Effect { axis, own, own_result: None, points: [None; POINTS], slope: None }
     };
     let effects: Vec<Effect> = axes.into_iter().map(effect).collect();
     let mut report = SensitivityReport { output, own: None, effects, outside_at_ends: Vec::new() };
@@ -277,6 +280,8 @@ pub fn compute(
     if let Some(plan) = plans.first() {
         let own = plan.evaluate_all(&[plan.design_of(scene)], context);
         report.own = own.first().map(Value::from_point);
+        let result = report.own.and_then(|own| own.result);
+        report.effects.iter_mut().for_each(|effect| effect.own_result = result);
     }
     for (number, round) in ROUNDS.iter().enumerate() {
         if number == ROUNDS_BEFORE_SLOPES && !slopes(scene, &plans, &mut report, context) {
@@ -317,7 +322,6 @@ fn slopes(
     report: &mut SensitivityReport,
     context: &mut Context<'_, SensitivityReport>,
 ) -> bool {
-    let own_result = report.own.and_then(|own| own.result);
     for (plan, effect) in plans.iter().zip(&mut report.effects) {
         let Some(own) = effect.own else { continue };
         let (low, high) = effect.axis.ends();
@@ -339,7 +343,7 @@ fn slopes(
         let found = plan.evaluate_all(&places.map(|value| vec![value]), context);
         let value = |at: usize| found.get(at).and_then(|point| Value::from_point(point).result);
         effect.slope =
-            value(0).zip(value(1)).zip(own_result).map(|((first, second), own)| {
+            value(0).zip(value(1)).zip(effect.own_result).map(|((first, second), own)| {
                 match (is_below, is_above) {
                     (true, true) => (second - first) / (2.0 * step),
                     (false, _) => (4.0 * first - second - 3.0 * own) / (2.0 * step),

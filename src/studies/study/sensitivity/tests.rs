@@ -28,6 +28,23 @@ fn the_usual_variables_are_those_that_the_scene_uses() {
     assert!(!symbols("face=0.1").contains(&"gamma"));
 }
 
+/// The scene itself lies between the points: with slips its depth may be outside all of theirs.
+#[test]
+fn the_range_of_a_row_holds_the_result_of_the_scene() {
+    let report = computed("interface=plastic", &Request::default());
+    let own = report.own.unwrap().result.unwrap();
+    for effect in &report.effects {
+        let (least, most) = effect.range().unwrap();
+        assert!(least <= own && own <= most, "{}: {least} {own} {most}", effect.axis.symbol());
+    }
+    // A range beside the scene's value does not contain the scene.
+    let beside = Request {
+        over: vec![Axis::new("v_i", (200.0, 300.0), 2, Spacing::Linear).unwrap()],
+        output: None,
+    };
+    assert!(computed("", &beside).effects[0].range().unwrap().0 > own);
+}
+
 /// Every point equals the depth of a single run, including perforations and both ends.
 #[test]
 fn results_are_those_of_single_runs() {
@@ -96,6 +113,7 @@ fn a_study_that_is_stopped_has_the_ends_of_all_rows_first() {
 #[test]
 fn cells_are_the_middles_of_equal_parts() {
     let mut effect = Effect {
+        own_result: None,
         axis: Axis::new("gamma", (1.0, 9.0), 2, Spacing::Linear).unwrap(),
         own: Some(9.0),
         points: [None; POINTS],
