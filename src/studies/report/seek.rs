@@ -27,10 +27,16 @@ pub fn warnings(scene: &Scene, report: &SeekReport) -> Vec<Warning> {
     warnings
 }
 
+/// Formats the position of a solution, or both ends of an interval of solutions.
+pub fn position(report: &SeekReport, solution: &SeekResult) -> String {
+    let at = |place: SamplePoint| report.axis.display(place.at, 6);
+    let until = solution.until.map_or_else(String::new, |until| format!(" to {}", at(until)));
+    at(solution.place) + &until
+}
+
 /// Describes a solution; adds the result with a plastic interface if the fused one exceeds its limit load.
 pub fn solution(report: &SeekReport, solution: &SeekResult, checked: &DesignValidity) -> String {
-    let axis = &report.axis;
-    let at = axis.display(solution.place.at, 6);
+    let at = position(report, solution);
     let outcome = solution.outcome.map_or("", PointOutcome::key);
     let reached = report.measure.show(solution.place.value, 6);
     let plastic = checked.plastic.map(|it| format!("; {}", it.message(report.measure)));
@@ -40,7 +46,7 @@ pub fn solution(report: &SeekReport, solution: &SeekResult, checked: &DesignVali
         Decision::NotMeasured => String::new(),
         decision => format!("; verdict: {}", decision.word()),
     };
-    format!("{} = {at}: {reached}, {outcome}{plastic}{verdict}", axis.symbol())
+    format!("{} = {at}: {reached}, {outcome}{plastic}{verdict}", report.axis.symbol())
 }
 
 /// Returns further remarks: a missing solution, jumps across the goal, and gaps without values.

@@ -100,7 +100,7 @@ pub struct SeekResult {
     pub kind: Kind,
     /// Position and value; the value is NaN in a gap.
     pub place: SamplePoint,
-    /// Other end of a jump or a gap.
+    /// Other end of a jump, of a gap, or of an interval whose points are all solutions.
     pub until: Option<SamplePoint>,
     /// Outcome of the run.
     pub outcome: Option<PointOutcome>,
@@ -191,7 +191,8 @@ pub fn run(
     let (found, jumps): (Vec<Crossing>, Vec<Crossing>) =
         crossings.into_iter().partition(|crossing| crossing.kind == Kind::Solution);
     let mut lines: Vec<SeekResult> = Vec::new();
-    lines.extend(found.iter().map(|Crossing { kind, from, .. }| SeekResult {
+    lines.extend(found.iter().map(|Crossing { kind, from, to }| SeekResult {
+        until: (to.at > from.at && to.value == goal.target).then(|| place(*to)),
         outcome: outcome_at(from.at),
         ..SeekResult::new(*kind, place(*from))
     }));

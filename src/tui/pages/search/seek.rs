@@ -12,7 +12,7 @@ use crate::tui::widgets::axis::Part;
 use crate::worker::studies::SearchRequest;
 use cmra_studies::report::Remark;
 use cmra_studies::report::figures::axis_of;
-use cmra_studies::report::seek::{remarks, table, warnings};
+use cmra_studies::report::seek::{position, remarks, table, warnings};
 use cmra_studies::report::table::Cells;
 use cmra_studies::study::quantities::named;
 use cmra_studies::study::search::seek::{self, Goal, SCAN, SeekReport, SeekResult};
@@ -80,8 +80,7 @@ impl Answer for SeekReport {
     }
 
     fn answer(&self, app: &App, _width: usize) -> Vec<TextLine> {
-        let at = |found: &SeekResult| self.axis.display(found.place.at, 6);
-        let places: Vec<String> = self.solutions().map(at).collect();
+        let places: Vec<String> = self.solutions().map(|found| position(self, found)).collect();
         if places.is_empty() {
             return reasons(self, app).map(line).take(1).collect();
         }
@@ -96,7 +95,7 @@ impl Answer for SeekReport {
             let cells = found.iter().map(|(one, checked)| cell(one, checked)).collect();
             Cells { head, is_text, cells }
         };
-        let at: &Cell<'_> = &|one, _| self.axis.display(one.place.at, 6);
+        let at: &Cell<'_> = &|one, _| position(self, one);
         let value: &Cell<'_> = &|one, _| self.measure.show(one.place.value, 6);
         let outcome: &Cell<'_> =
             &|one, _| one.outcome.map_or_else(String::new, |it| it.key().to_owned());

@@ -29,9 +29,9 @@ pub struct Stopped;
 pub struct Crossing {
     /// Kind: solution or jump.
     pub kind: Kind,
-    /// Position; for a solution the end of the bracket closer to the goal.
+    /// Position; for a solution the end of the bracket closer to the goal, or the start of an interval whose points all have the goal's value.
     pub from: SamplePoint,
-    /// Other end of the bracket.
+    /// Other end of the bracket or interval.
     pub to: SamplePoint,
 }
 
@@ -117,11 +117,11 @@ impl<'f> RootScan<'f> {
                 beside.filter(|beside| beside.1.is_none()).map(|beside| beside.0)
             };
             if let Some(gap) = gap(index.checked_sub(1)) {
-                stretch.extend(self.edge(known, gap)?);
+                stretch.extend(self.edge(known, gap, |_| true)?);
             }
             stretch.push(known);
             if let Some(gap) = gap(index.checked_add(1)) {
-                stretch.extend(self.edge(known, gap)?);
+                stretch.extend(self.edge(known, gap, |_| true)?);
                 stretches.push(std::mem::take(&mut stretch));
             }
         }
@@ -129,9 +129,14 @@ impl<'f> RootScan<'f> {
         Ok(stretches)
     }
 
-    /// Locates the boundary between a point with a value and a point without one; `None` if it is not beyond the known point, or after
-    /// [`EDGES_MAX`] boundaries.
-    fn edge(&mut self, known: SamplePoint, gap: f64) -> Result<Option<SamplePoint>, Stopped> {
+    /// Locates the boundary between a point inside and one without a value, or with a value that does not belong inside; `None` if it is not
+    /// beyond the known point, or after [`EDGES_MAX`] boundaries.
+    fn edge(
+        &mut self,
+        known: SamplePoint,
+        gap: f64,
+        belongs: impl Fn(f64) -> bool,
+    ) -> Result<Option<SamplePoint>, Stopped> {
         if self.edges == EDGES_MAX {
             return Ok(None);
         }
@@ -139,7 +144,7 @@ impl<'f> RootScan<'f> {
         let (mut inside, mut outside) = (known, gap);
         for _ in 0..EDGE_STEPS {
             let middle = 0.5 * (inside.at + outside);
-            match self.look(middle)? {
+            match self.look(middle)?.filter(|place| belongs(place.value)) {
                 Some(place) => inside = place,
                 None => outside = middle,
             }
@@ -149,15 +154,34 @@ impl<'f> RootScan<'f> {
 
     /// Finds the crossings along points that all have values.
     fn along(&mut self, points: &[SamplePoint]) -> Result<(), Stopped> {
-        let hits = points.iter().filter(|point| self.off(**point) == 0.0);
-        let hits = hits.map(|it| Crossing { kind: Kind::Solution, from: *it, to: *it });
-        let hits: Vec<Crossing> = hits.collect();
-        self.crossings.extend(hits);
+        let is_hit = |at: usize| points.get(at).is_some_and(|point| point.value == self.target);
+        let starts = (0..points.len()).filter(|at| is_hit(*at) && (*at == 0 || !is_hit(at - 1)));
+        let ends = (0..points.len()).filter(|at| is_hit(*at) && !is_hit(at + 1));
+        let hits: Vec<(usize, usize)> = starts.zip(ends).collect();
+        for (first, last) in hits {
+            self.hit(points, first, last)?;
+        }
         let crosses = |pair: &&[SamplePoint]| self.off(pair[0]) * self.off(pair[1]) < 0.0;
         let brackets: Vec<&[SamplePoint]> = points.windows(2).filter(crosses).collect();
         for pair in brackets {
             self.close(pair[0], pair[1])?;
         }
+        Ok(())
+    }
+
+    /// Adds the points that have the goal's value, extended to the boundaries if there are several.
+    fn hit(&mut self, points: &[SamplePoint], first: usize, last: usize) -> Result<(), Stopped> {
+        let (mut from, mut to) = (points[first], points[last]);
+        if first < last {
+            let target = self.target;
+            for (end, beside) in [(&mut from, first.checked_sub(1)), (&mut to, Some(last + 1))] {
+                if let Some(beside) = beside.and_then(|at| points.get(at)) {
+                    let edge = self.edge(*end, beside.at, |value| value == target)?;
+                    *end = edge.unwrap_or(*end);
+                }
+            }
+        }
+        self.crossings.push(Crossing { kind: Kind::Solution, from, to });
         Ok(())
     }
 
@@ -196,7 +220,7 @@ impl<'f> RootScan<'f> {
     /// Searches both sides of a point without a value within a bracket.
     fn around(&mut self, a: SamplePoint, b: SamplePoint, hole: f64) -> Result<(), Stopped> {
         for known in [a, b] {
-            let edge = self.edge(known, hole)?;
+            let edge = self.edge(known, hole, |_| true)?;
             if let Some(edge) = edge.filter(|edge| self.off(*edge) * self.off(known) < 0.0) {
                 self.close(known, edge)?;
             }
@@ -263,6 +287,23 @@ mod tests {
         assert_roots(&roots(&scan(hole, 0.43, 11)), &[0.43]);
         assert!(roots(&scan(hole, 0.45, 11)).is_empty());
         assert!(scan(|_| None, 1.0, 11).is_empty());
+    }
+
+    #[test]
+    fn points_that_all_have_the_goal_are_one_interval() {
+        let plateau = |s: f64| Some(s.clamp(0.2345, 0.6789));
+        for (target, ends) in [(0.2345, [0.0, 0.2345]), (0.6789, [0.6789, 1.0])] {
+            let found = scan(plateau, target, 17);
+            assert_eq!((found.len(), found[0].kind), (1, Kind::Solution), "{found:?}");
+            assert!((found[0].from.at - ends[0]).abs() < 1e-13, "{found:?}");
+            assert!((found[0].to.at - ends[1]).abs() < 1e-13, "{found:?}");
+        }
+        let hill = scan(|s| Some((1.0 - s).min(s).min(0.3456)), 0.3456, 17);
+        assert!((hill[0].from.at - 0.3456).abs() < 1e-13, "{hill:?}");
+        assert!((hill[0].to.at - 0.6544).abs() < 1e-13 && hill.len() == 1, "{hill:?}");
+        // One that only touches the goal is a point.
+        let peak = scan(|s| Some(-(s - 0.5).abs()), 0.0, 17);
+        assert_eq!((peak.len(), peak[0].from, peak[0].to.at), (1, peak[0].to, 0.5));
     }
 
     #[test]
