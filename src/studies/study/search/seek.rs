@@ -192,7 +192,7 @@ pub fn run(
         crossings.into_iter().partition(|crossing| crossing.kind == Kind::Solution);
     let mut lines: Vec<SeekResult> = Vec::new();
     lines.extend(found.iter().map(|Crossing { kind, from, to }| SeekResult {
-        until: (to.at > from.at && to.value == goal.target).then(|| place(*to)),
+        until: (to.at > from.at && to.value - goal.target == 0.0).then(|| place(*to)),
         outcome: outcome_at(from.at),
         ..SeekResult::new(*kind, place(*from))
     }));

@@ -154,7 +154,7 @@ impl<'f> RootScan<'f> {
 
     /// Finds the crossings along points that all have values.
     fn along(&mut self, points: &[SamplePoint]) -> Result<(), Stopped> {
-        let is_hit = |at: usize| points.get(at).is_some_and(|point| point.value == self.target);
+        let is_hit = |at: usize| points.get(at).is_some_and(|point| self.off(*point) == 0.0);
         let starts = (0..points.len()).filter(|at| is_hit(*at) && (*at == 0 || !is_hit(at - 1)));
         let ends = (0..points.len()).filter(|at| is_hit(*at) && !is_hit(at + 1));
         let hits: Vec<(usize, usize)> = starts.zip(ends).collect();
@@ -176,7 +176,7 @@ impl<'f> RootScan<'f> {
             let target = self.target;
             for (end, beside) in [(&mut from, first.checked_sub(1)), (&mut to, Some(last + 1))] {
                 if let Some(beside) = beside.and_then(|at| points.get(at)) {
-                    let edge = self.edge(*end, beside.at, |value| value == target)?;
+                    let edge = self.edge(*end, beside.at, |value| value - target == 0.0)?;
                     *end = edge.unwrap_or(*end);
                 }
             }
