@@ -32,11 +32,11 @@ fn the_page_has_its_sections_and_reasons_for_missing_ones() {
     assert!(stopped.contains("mechanism       taken to hold"), "{stopped}");
     let never = printed("limit", &["--set", "h=5"]);
     assert!(
-        never.contains("limit beyond 3000 m/s: nothing from 1 to 3000 m/s perforates"),
+        never.contains("limit beyond 3000 m/s: no shot tried from 1 to 3000 m/s perforates"),
         "{never}"
     );
     let always = printed("limit", &["--set", "S_y=0"]);
-    assert!(always.contains("no limit: everything"), "{always}");
+    assert!(always.contains("no limit: a shot at 1 m/s perforates already"), "{always}");
     assert!(json("limit", &["--set", "S_y=0"])["limit_velocity_m_s"].is_null());
 }
 

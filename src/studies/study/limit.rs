@@ -148,11 +148,9 @@ impl Limit {
                 })
             }
             Self::Never => Some(format!(
-                "limit beyond {high} m/s: nothing from {low} to {high} m/s perforates"
+                "limit beyond {high} m/s: no shot tried from {low} to {high} m/s perforates"
             )),
-            Self::Always => {
-                Some(format!("no limit: everything from {low} to {high} m/s perforates"))
-            }
+            Self::Always => Some(format!("no limit: a shot at {low} m/s perforates already")),
             Self::NotModelled => Some(
                 "no limit: the contact model cannot perforate; set model = hydrodynamic".to_owned(),
             ),
