@@ -94,7 +94,8 @@ fn moving(scene: &Scene) -> Vec<Formula> {
     }
     found.extend(weighed.map(|weighed| {
         if let Some(known_kg) = known_kg {
-            let source = "over e_spring, or what its wire takes up; stopped by the spring alone";
+            let source =
+                "over e_spring, or what its wire takes up; without the spring's work in the impact";
             ("least mass of the spring for all of it", known_kg, "kg", source)
         } else {
             let all = left + drawn + weighed;
