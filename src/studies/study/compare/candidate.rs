@@ -148,6 +148,7 @@ impl CandidateEvaluator<'_, '_> {
     }
 
     /// Finds the velocity above which the hardware fails before the plate is perforated, m/s, and the part that fails; `None` if cancelled.
+    /// There is no velocity if it fails in every shot that reaches the plate.
     fn overload(
         &mut self,
         (mut fails_m_s, mut failure): (f64, Failure),
@@ -155,18 +156,18 @@ impl CandidateEvaluator<'_, '_> {
     ) -> Option<(Option<f64>, Failure)> {
         let scene = Arc::clone(&self.scene);
         let mut holds_m_s = 0.0;
+        let mut has_held = false;
         while fails_m_s > limit::RANGE_M_S.0 {
             if fails_m_s - holds_m_s <= WIDTH * fails_m_s {
-                return Some((Some(fails_m_s), failure));
+                return Some((Some(fails_m_s).filter(|_| has_held), failure));
             }
             let between_m_s = 0.5 * (holds_m_s + fails_m_s);
-            let found = if self.reaches(between_m_s) {
-                built.failure(&scene, &demand(&self.fire(between_m_s)?))
-            } else {
-                None
-            };
-            match found {
-                None => holds_m_s = between_m_s,
+            if !self.reaches(between_m_s) {
+                holds_m_s = between_m_s;
+                continue;
+            }
+            match built.failure(&scene, &demand(&self.fire(between_m_s)?)) {
+                None => (holds_m_s, has_held) = (between_m_s, true),
                 Some(found) => (fails_m_s, failure) = (between_m_s, found),
             }
         }

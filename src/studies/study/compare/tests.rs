@@ -200,6 +200,11 @@ fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
         assert!(close(limit(pairs), own, 1e-15), "{pairs}");
     }
     assert!((limit("mount=rigid") - 232.295_378).abs() < 5e-7);
+    // A beam that is cocked beyond its yield survives no shot, however slow: also not the slowest that reaches the plate.
+    for plate in ["", "w_0=5.895"] {
+        let cocked = format!("spring=prbm-guided d=120mm v_i=60 gamma=5 {plate}");
+        assert!(limit_if_spring_survives_m_s(&scene(&cocked)).is_err(), "{cocked}");
+    }
     let beyond = limit_if_spring_survives_m_s(&scene("k=0 gamma=0.05")).unwrap_err();
     assert!(beyond.contains("beyond 3000 m/s"), "{beyond}");
 }
