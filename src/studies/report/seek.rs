@@ -69,7 +69,7 @@ pub fn remarks(report: &SeekReport, reach: Reach) -> Vec<Remark> {
             format!("nothing reaches {}", shown(report.target))
         } else {
             let (runs, target) = (report.runs, shown(report.target));
-            format!("cancelled after {runs} runs: {target} not reached so far")
+            format!("{target} not reached in the first {runs} runs")
         };
         remarks.push(Remark::caution("", text));
         let nearest =

@@ -42,11 +42,11 @@ impl Reach {
         self == Self::Complete
     }
 
-    /// `30 of 49 rows`: how far an incomplete study came; `None` for a complete one.
+    /// `30 of 49 rows`: how far an incomplete study came; `None` for a complete one, and before the total is known.
     pub fn counted(self, items: &str) -> Option<String> {
         let Self::Partial(Progress { done, total }) = self else { return None };
         let items = if items.is_empty() { String::new() } else { format!(" {items}") };
-        Some(format!("{} of {total}{items}", done.min(total)))
+        (total > 0).then(|| format!("{} of {total}{items}", done.min(total)))
     }
 }
 

@@ -105,8 +105,10 @@ impl Effect {
     }
 
     /// Iterates over the results that exist: at the points from the low end to the high end, then of the scene itself if its value is within.
+    /// The scene alone is no row: before the first point there are none.
     pub fn results(&self) -> impl Iterator<Item = f64> {
-        let own = self.own_result.filter(|_| self.own_cell(1).is_some());
+        let is_row = self.computed() > 0 && self.own_cell(1).is_some();
+        let own = self.own_result.filter(|_| is_row);
         self.points.iter().flatten().filter_map(|it| it.result).chain(own)
     }
 

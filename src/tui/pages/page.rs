@@ -5,7 +5,9 @@ pub(crate) mod prelude {
     pub(crate) use std::sync::Arc;
 
     pub(crate) use super::{About, Page, PageSpec};
-    pub(crate) use super::{BEING_COMPUTED, cut, note, nothing, progress, under_way};
+    pub(crate) use super::{
+        BEING_COMPUTED, NOT_YET, cut, not_yet, note, nothing, progress, under_way,
+    };
     pub(crate) use crate::tui::app::notice::{StatusPart, old, part};
     pub(crate) use crate::tui::app::running::Running;
     pub(crate) use crate::tui::app::{edit, jobs};
@@ -39,6 +41,9 @@ use cmra_engine::model::variables::{self, VARIABLES};
 /// Error for an action that needs results under computation.
 pub(crate) const BEING_COMPUTED: &str = "being computed";
 
+/// Text in place of a value that a stopped study did not reach, whether its time limit or the user stopped it.
+pub(crate) const NOT_YET: &str = "not computed yet: <run> computes it";
+
 /// Returns the text of an empty pane: that its study runs, else the reason.
 pub(crate) fn nothing<S: RequestVariant>(
     app: &App,
@@ -47,6 +52,11 @@ pub(crate) fn nothing<S: RequestVariant>(
 ) -> String {
     let waits = app.jobs.running::<S>().is_some();
     app.keymap.shown(if waits { running } else { why.unwrap_or(NO_RESULTS) })
+}
+
+/// Returns the text in place of a value that the computed part of its study does not have.
+pub(crate) fn not_yet(app: &App, running: Option<&Running>) -> String {
+    app.keymap.shown(if running.is_some() { "not computed yet" } else { NOT_YET })
 }
 
 /// Returns the status part for an active study, the same on all pages, with its progress.

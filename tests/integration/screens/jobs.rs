@@ -6,6 +6,7 @@ use std::time::Duration;
 use super::bench::{Bench, ended, made, stopped};
 use super::search::in_search;
 use super::{accuracy, limit, search};
+use crate::support::scene;
 use cmra::tui::app::running::Running;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::search::state::Page;
@@ -201,6 +202,42 @@ fn a_first_look_says_how_far_it_came() {
     assert_eq!(bench.studies().len(), 1);
     bench.press("r");
     assert_eq!(bench.tasks(|task| Some(task.budget)), [None]);
+}
+
+/// A look whose time is over before the first run of a slow scene: the page says so, and neither that somebody cancelled it nor what the
+/// result is.
+#[test]
+fn a_first_look_without_time_draws_no_conclusion() {
+    let (send, reports) = mpsc::channel();
+    let worker = Worker::spawn(move |report: TaskReport| drop(send.send(report)));
+    let mut wrong = Vec::new();
+    for keys in ["3", "3v", "4", "444", "4444", "5", "55", "55<Tab>", "6"] {
+        let mut bench = Bench::ascii(80, 24);
+        bench.app.scene = Arc::new(scene("spring=column h=0.0057 gamma=10.6 interface=plastic"));
+        bench.press(keys);
+        while !bench.app.jobs.studies.is_empty() {
+            for mut task in bench.tasks(|task| Some(task.clone())) {
+                task.budget = Some(Duration::ZERO);
+                worker.submit(task);
+            }
+            bench.send(Message::Report(reports.recv().expect("a report")));
+        }
+        let screen = bench.screen();
+        let is_said = ["3", "55", "55<Tab>", "6"].contains(&keys)
+            || screen.contains("not computed yet: r computes it");
+        let conclusions = [
+            "cancelled",
+            "stopped before",
+            "no point",
+            "nothing to compare",
+            "above 1e-6",
+            "0 of 0",
+        ];
+        if !is_said || conclusions.iter().any(|it| screen.contains(it)) {
+            wrong.push(screen);
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// Results that another preset gave keep its title in the name of their file.

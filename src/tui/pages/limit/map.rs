@@ -112,8 +112,7 @@ pub(super) fn readout(app: &App) -> Option<String> {
     let words = match map.cell(at.0 as u64, at.1 as u64) {
         Some(Ok(value)) => format!("mass efficiency {}", fixed_significant(value, 4)),
         Some(Err(absence)) => absence.words(),
-        None if app.jobs.running::<EfficiencyMapStudy>().is_some() => "not computed yet".to_owned(),
-        None => app.keymap.shown("not computed yet: <run> computes the whole map"),
+        None => not_yet(app, app.jobs.running::<EfficiencyMapStudy>()),
     };
     Some(format!("{}: {words}", place.join(", ")))
 }
@@ -125,9 +124,8 @@ pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some((found, map)) = found.and_then(|found| Some((found, picture(found)?))) else {
         let inner = PaneFrame::new("Mass efficiency").focused(focused).draw(area, canvas);
         let why = match found {
-            Some(map) if map.cells.iter().any(Option::is_some) => {
-                Some("no point has a mass efficiency")
-            }
+            Some(map) if map.is_complete() => Some("no point has a mass efficiency"),
+            Some(_) => Some(NOT_YET),
             _ if app.scene.is_stack() => Some("a stack is compared with nothing"),
             _ if !app.scene.is_sprung() => Some("the mount is rigid: there is no moving to pay"),
             _ if !has_map(&app.scene) => Some("no map over v_i and the plate's size"),

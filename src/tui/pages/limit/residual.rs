@@ -78,6 +78,9 @@ pub fn limit_shot_m_s(app: &App) -> f64 {
 /// Formats the limit and the margin of its scene in one line of this width.
 pub fn limit_headline(app: &App, width: usize) -> Option<String> {
     let report = app.pages.limit.report.result.as_ref()?;
+    if report.limit == Limit::Unknown {
+        return Some(not_yet(app, app.jobs.running::<LimitSearch>()));
+    }
     let of = if limit_is_old(app) { " of another scene" } else { "" };
     let mut scene = Scene::clone(&report.scene);
     scene.projectile.velocity_m_s = limit_shot_m_s(app);
@@ -141,9 +144,8 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let Some(mut chart) = drawn else {
         let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
         let inner = frame.draw(area, canvas);
-        let cut = "cancelled before there was a curve";
         let none = "no shot perforates: no curve to draw";
-        let why = found.map(|_| if tab.report.is_complete() { none } else { cut });
+        let why = found.map(|_| if tab.report.is_complete() { none } else { NOT_YET });
         return canvas.put_centred(inner, &nothing::<LimitSearch>(app, "finding the limit", why));
     };
     let old = limit_is_old(app);

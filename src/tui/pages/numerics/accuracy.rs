@@ -60,10 +60,11 @@ pub(crate) fn accuracy_answers(app: &App) -> Vec<String> {
     let tab = &app.pages.numerics.accuracy;
     let Some(report) = &tab.report.result else { return Vec::new() };
     if !tab.report.is_complete() && tab.tolerance().is_none() {
-        let counted = app.jobs.running::<MethodBenchmark>().and_then(|it| it.points);
+        let running = app.jobs.running::<MethodBenchmark>();
+        let counted = running.and_then(|it| it.points);
         let counted = counted.map(|(done, total)| format!(" ({done} of {total})"));
-        let counted = counted.unwrap_or_default();
-        return vec![format!("error {:.0e}: not computed yet{counted}", TARGETS[0])];
+        let (counted, words) = (counted.unwrap_or_default(), not_yet(app, running));
+        return vec![format!("error {:.0e}: {words}{counted}", TARGETS[0])];
     }
     let row = |[part, with, without, gain]: [&str; 4]| {
         format!("{part:<32}{with:>7}{without:>8}  {gain}").trim_end().to_owned()
@@ -117,10 +118,15 @@ pub(crate) fn readout(app: &App) -> Option<String> {
         Some(format!("{target:.0e} in {}", seconds(found.min_s)))
     });
     let reached = reached.collect::<Vec<_>>().join(", ");
-    let reached = if reached.is_empty() { format!("above {:.0e}", TARGETS[0]) } else { reached };
-    let least = report.min_error().map(|error| format!("; least {error:.0e}"));
-    let least = least.unwrap_or_default();
-    Some(format!("{}: error {reached}{least}", method.name()))
+    let is_complete = tab.report.is_complete();
+    let text = match report.min_error() {
+        None if is_complete => "no point is measured".to_owned(),
+        None => not_yet(app, app.jobs.running::<MethodBenchmark>()),
+        Some(least) if !reached.is_empty() => format!("error {reached}; least {least:.0e}"),
+        Some(least) if is_complete => format!("error above {:.0e}; least {least:.0e}", TARGETS[0]),
+        Some(least) => format!("least error so far {least:.0e}"),
+    };
+    Some(format!("{}: {text}", method.name()))
 }
 
 /// Starts the measurement unless this scene has been or is being measured.
@@ -163,6 +169,9 @@ fn use_method(app: &mut App) {
         ));
     }
     let Some(tolerance) = tab.usable() else {
+        if !tab.report.is_complete() {
+            return app.refuse(not_yet(app, app.jobs.running::<MethodBenchmark>()));
+        }
         return app.refuse(format!("{name} does not reach an error of 1e-6 here"));
     };
     scene.run.tolerance = tolerance;

@@ -66,7 +66,7 @@ pub fn stability_status(app: &App) -> Vec<StatusPart> {
         let words = |it: &Running| format!("checking the stiff scenes{}", it.counted("of", ""));
         let running = progress::<StiffScenes, _>(app, &tab.battery, &Scene::default(), words, "");
         parts.extend(running);
-        if tab.battery.result.is_some() {
+        if !tab.rows().is_empty() {
             parts.push(part(severity, holds));
         }
         return parts;

@@ -62,6 +62,10 @@ impl Answer for MonteCarloReport {
         Some(format!("{} samples", self.samples))
     }
 
+    fn has_answer(&self) -> bool {
+        self.samples > 0
+    }
+
     fn answer(&self, app: &App, width: usize) -> Vec<TextLine> {
         let shown = drawn(self, &app.pages.search).and_then(|summary| {
             let [low, median, high] = [0.05, 0.5, 0.95].map(|share| summary.quantile(share));

@@ -61,6 +61,10 @@ impl Answer for SeekReport {
         self.solutions().count()
     }
 
+    fn has_answer(&self) -> bool {
+        self.solutions().chain(self.of_kind(seek::Kind::Jump)).next().is_some()
+    }
+
     fn design(&self, app: &App) -> Result<LabelledScene, String> {
         let chosen = self.solutions().nth(app.pages.search.selected());
         let solution = chosen.ok_or("no solution to load: change the goal or the range")?;

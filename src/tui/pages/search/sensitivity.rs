@@ -51,6 +51,10 @@ impl Answer for SensitivityReport {
         ))
     }
 
+    fn has_answer(&self) -> bool {
+        !self.is_empty()
+    }
+
     fn outside_at_ends(&self) -> &[(Check, Warning)] {
         &self.outside_at_ends
     }

@@ -1,6 +1,8 @@
 //! Presentation of a study's result.
 
+use crate::tui::app::running::CachedResult;
 use crate::tui::pages::page::prelude::*;
+use crate::tui::pages::search::results::searching;
 use crate::tui::pages::search::state::Searching;
 use crate::tui::widgets::table::{Grid, NAME_LEAST};
 use crate::tui::widgets::text::broken;
@@ -26,6 +28,11 @@ pub(crate) trait Answer {
     /// Returns the number of designs or solutions.
     fn choices(&self) -> usize {
         0
+    }
+
+    /// Returns `true` if the result answers the question, even if it is incomplete.
+    fn has_answer(&self) -> bool {
+        self.choices() > 0
     }
 
     /// Returns the design under the cursor as a scene with a label.
@@ -124,6 +131,11 @@ impl Words {
 /// Returns the text of the shown result for this width; empty before the first result.
 pub fn search_words(app: &App, width: usize) -> Words {
     let Some(answer) = app.pages.search.answer() else { return Words::default() };
+    let is_complete = app.pages.search.shown().is_some_and(CachedResult::is_complete);
+    if !is_complete && !answer.has_answer() {
+        let text = not_yet(app, searching(app, app.pages.search.page));
+        return Words { head: broken(vec![(text, Role::Warning)], width), body: Vec::new() };
+    }
     let columns = answer.table(app);
     let rows = columns.first().map_or(0, |column| column.cells.len());
     let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
