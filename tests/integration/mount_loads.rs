@@ -189,6 +189,36 @@ fn valid_the_fused_interface_carries_the_buckling_load_on_the_way_back() {
     assert_near(demand(preset), demand(&format!("{preset} horizon=60ms")), 1e-9);
 }
 
+/// At the first arrest the spring carries the strength pi R² `S_y`. It gives the fused bodies back what it has stored, less the work of the
+/// damper, 2 b w X of the integral of (1 - z^(n+1))^(1/2), however short their swing is: the half that the interface carries is 5 times
+/// its grip. Before the turn the damper adds more than the spring lacks, at most b² X/(2 n M F) of the force F.
+#[test]
+fn valid_a_swing_back_that_is_short_pulls_as_hard_as_a_long_one() {
+    let pull = |pairs: &str| number(&run(pairs), "interface_tension_ratio");
+    for spring in ["n=0.02 k=1e6", "n=0.05 k=1e6", "n=0.1 k=5e6"] {
+        for more in ["", "b=1e-12", "b=1", "x_stop=1mm", "x_stop=1mm stop_kind=elastic"] {
+            for end in ["", " horizon=1ms"] {
+                assert_near(pull(&format!("{spring} {more}{end}")), 5.0, 1e-13);
+            }
+        }
+    }
+    let (kg, b) = (0.059f64, 1e5);
+    for (n, k) in [(0.1f64, 1e6f64), (0.15, 3e6), (0.05, 1e5)] {
+        let force = std::f64::consts::PI * 0.00635 * 0.00635 * 1.52e8;
+        let far_m = (force / k).powf(1.0 / n);
+        let energy_j = force * far_m / (n + 1.0);
+        let parts = (0..100_000).map(|i| (f64::from(i) + 0.5) * 1e-5);
+        let mean: f64 = parts.map(|z| 1e-5 * (1.0 - z.powf(n + 1.0)).sqrt()).sum();
+        let taken_j = 2.0 * b * (2.0 * energy_j / kg).sqrt() * far_m * mean;
+        let added = b * b * far_m / (2.0 * n * kg * force);
+        let weaker = n / (n + 1.0) * taken_j / energy_j - added;
+        for end in ["", " horizon=1ms"] {
+            let found = pull(&format!("n={n} k={k} b={b}{end}"));
+            assert_near(found, 5.0 * (1.0 - weaker), 1e-8);
+        }
+    }
+}
+
 /// A damper alone takes `b w` at once. A cocked plate that comes back fast enough for its damper to balance its spring bears most at the
 /// first arrest: 489.9605256 N by DOP853 of another library.
 #[test]

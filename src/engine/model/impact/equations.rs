@@ -255,10 +255,11 @@ impl Equations<'_> {
         ROUNDING * self.least_sizes().1[1]
     }
 
-    /// Returns the smallest error scales: 1e-3 of the reference length and velocity; for the plate 1e-9 and 1e-6 of these.
+    /// Returns the smallest error scales: 1e-3 of the reference length and velocity, and those of the plate.
     fn least_sizes(&self) -> Point<2> {
         let (r, v) = (self.setup.reference.length_m, self.setup.reference.velocity_m_s);
-        ([1e-3 * r, 1e-9 * r], [1e-3 * v, 1e-6 * v])
+        let [x_m, w_m_s] = self.mode.least;
+        ([1e-3 * r, x_m], [1e-3 * v, w_m_s])
     }
 
     /// Returns the error scales at a state.

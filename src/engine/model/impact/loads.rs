@@ -5,7 +5,7 @@ use std::array;
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::Contact;
-use crate::model::impact::resolution::RESOLUTION;
+use crate::model::impact::resolution::{NEGLIGIBLE, RESOLUTION};
 use crate::model::impact::results::ImpactRun;
 use crate::model::impact::state::State;
 use crate::model::mechanism::load;
@@ -84,8 +84,12 @@ impl ImpactRun<'_> {
         let back_m = mode.elastic.reach(equations.displacement_m(state.x_m), energy_j, -1.0);
         let exceeds =
             is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
-        if !setup.damper.is_absent()
-            || setup.has_stop()
+        let reach_m = equations.max_reachable_displacement_m(state, energy_j);
+        let speed_m_s = (2.0 * energy_j / equations.moving_kg()).sqrt();
+        let damped_j = setup.damper.force(speed_m_s) * (reach_m - back_m);
+        let is_conserved = (setup.damper.is_absent() || damped_j <= NEGLIGIBLE * energy_j)
+            && !(setup.has_stop() && reach_m >= setup.stop.position_m);
+        if !is_conserved
             || setup.absorber.is_some()
             || (exceeds && record.loads.exceeded_s[0].is_none())
         {
@@ -109,6 +113,12 @@ impl ImpactRun<'_> {
 
     fn is_past_limit(&self, x_m: f64) -> bool {
         load::travel_margin(self.scene, [x_m; 2]).is_some_and(|margin| margin < 1.0)
+    }
+
+    /// Returns `true` if a swing of fused bodies is still to load their interface, which a short one does no less than a long one.
+    pub(super) fn follows_short_swing(&mut self) -> bool {
+        let is_joined = self.mode.contact == Contact::Fused && !self.setup.interface.is_plastic;
+        is_joined && self.loads_may_grow()
     }
 
     /// Returns `true` if the spring stores more at a displacement behind the plate, or is closer to its limits there, than so far.

@@ -44,6 +44,8 @@ pub(super) struct HybridMode {
     pub(super) crushed_m: f64,
     /// Energy dissipated by crushing, J.
     pub(super) crushed_j: f64,
+    /// Smallest error scales of the plate's displacement, m, and velocity, m/s.
+    pub(super) least: [f64; 2],
     /// Direction of motion of the plate, 1 or -1; that it starts in if at rest.
     pub(super) w_side: f64,
 }

@@ -36,6 +36,15 @@ impl Equations<'_> {
         self.energy_j(state) + apart_j
     }
 
+    /// Returns the greatest displacement of the plate, m, and its greatest velocity, m/s, that the energy allows.
+    pub(super) fn swing(&self, state: &State) -> [f64; 2] {
+        let energy_j = self.energy_j(state);
+        [
+            self.max_reachable_displacement_m(state, energy_j).abs(),
+            (2.0 * energy_j / self.moving_kg()).sqrt(),
+        ]
+    }
+
     fn potential_j(&self, x_m: f64) -> f64 {
         self.mode.elastic.energy(self.displacement_m(x_m))
     }

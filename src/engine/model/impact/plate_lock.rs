@@ -173,11 +173,13 @@ impl Equations<'_> {
         };
         // Energy of spring and push: with less than at the maximum the plate does not reach it again.
         let well_j = |x_m: f64| spring.energy(x_m) - push_n * x_m;
+        // Fused bodies without a damper keep it.
+        let is_fused = self.mode.contact == Contact::Fused;
+        let rounding_j = if is_fused { ROUNDING * spring.energy(farthest_m) } else { 0.0 };
         may_lock
-            && (self.mode.contact != Contact::Fused
-                || spring.energy(held_m) < self.pull_out_j(state))
+            && (!is_fused || spring.energy(held_m) < self.pull_out_j(state))
             && push_n < spring.force(farthest_m)
-            && speed_j + well_j(x_m) < well_j(farthest_m)
+            && speed_j + well_j(x_m) < well_j(farthest_m) + rounding_j
             && push_n.abs() < spring.force(held_m)
             && speed_j + spring.energy(x_m) < spring.energy(held_m)
             && self.rate_n_s(state) <= 0.0

@@ -233,11 +233,13 @@ impl<M: Stepper<S>, const S: usize> IntegrationLoop<'_, M, S> {
     }
 
     /// Returns an event whose function is already beyond zero, by rounding or because of another event.
-    fn pending_event(&self) -> Option<Event> {
-        let equations = self.course.equations();
-        if equations.locks_again(&self.course.state, self.course.record.farthest_m) {
+    fn pending_event(&mut self) -> Option<Event> {
+        let ImpactRun { ref state, ref record, .. } = self.course;
+        let locks = self.course.equations().locks_again(state, record.farthest_m);
+        if locks && !self.course.follows_short_swing() {
             return Some(Event::SpringHolds);
         }
+        let equations = self.course.equations();
         let is_behind =
             |event: &Event| event_function(&equations, *event, &self.course.state) < 0.0;
         let mut events = events::possible_events(self.course.setup, &self.course.mode);

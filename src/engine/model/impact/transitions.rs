@@ -4,6 +4,8 @@
 //! S. u < 0: the projectile is pulled out against g A S. u = 0: the bodies stick while the interface force stays within its limit loads. A
 //! fused interface never parts.
 
+use std::array;
+
 use crate::model::contact_models::ContactLaw;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, Event, HybridMode, PlateConstraint};
@@ -12,7 +14,7 @@ use crate::model::impact::resolution::ROUNDING;
 use crate::model::impact::rule::Rule;
 use crate::model::impact::state::State;
 use crate::model::power_law::sign;
-use crate::numerics::larger;
+use crate::numerics::{larger, smaller};
 
 /// Returns mode and state at first contact.
 pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
@@ -30,6 +32,7 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
         stretch: setup.spring.stretch(setup.start.x_m),
         crushed_m: 0.0,
         crushed_j: 0.0,
+        least: [1e-9 * setup.reference.length_m, 1e-6 * setup.reference.velocity_m_s],
         w_side: if setup.start.w_m_s < 0.0 { -1.0 } else { 1.0 },
     };
     let mut state = State {
@@ -106,6 +109,13 @@ pub(super) fn after(
     unload(setup, &mut next, state);
     setup.update_weight(&mut next, mode.contact);
     if next.contact != mode.contact {
+        if next.contact == Contact::Fused {
+            // However short the swing is, its forces count.
+            let swing = (Equations { setup, mode: &next }).swing(state);
+            next.least = array::from_fn(|i| {
+                if swing[i] > 0.0 { smaller(swing[i], mode.least[i]) } else { mode.least[i] }
+            });
+        }
         next.stuck_m3 = None;
         let is_stuck = setup.interface.is_plastic && next.contact == Contact::Fused;
         next.stuck_m3 = is_stuck.then(|| (Equations { setup, mode: &next }).stuck_m3(state));
