@@ -219,6 +219,33 @@ fn valid_a_swing_back_that_is_short_pulls_as_hard_as_a_long_one() {
     }
 }
 
+/// From the first arrest on the bodies swing with their energy E over the zero of the spring, or at most to the stop before it: the mass J of
+/// the rotation has J/M of E less what the spring stores there.
+#[test]
+fn valid_a_mass_that_turns_is_fastest_on_the_swing_not_at_the_arrest() {
+    let (k, inertia_kg_m2, twist) = (2e5, 5e-6, 50.0);
+    let turning_kg = inertia_kg_m2 * twist * twist;
+    for (cocked_m, stop, stop_m) in [
+        (0.144, "", 0.0),
+        (0.144, "x_stop=0", 0.0),
+        (0.144, "x_stop=5cm", 0.0),
+        (0.144, "x_stop=5cm stop_kind=elastic", 0.0),
+        (0.144, "x_stop=-5cm", -0.05),
+        (0.01, "b=1e-9", 0.0),
+    ] {
+        for end in ["", " horizon=60ms"] {
+            let pairs = format!("spring=helix k_helix={k} twist={twist} I_z={inertia_kg_m2}");
+            let found = run(&format!("{pairs} d={cocked_m} {stop}{end}"));
+            let at = |key: &str| number(&found, &format!("first_arrest_plate_{key}"));
+            let (x, w) = (at("displacement_m"), at("velocity_m_s"));
+            let mass = 0.0295 + 0.0295 + turning_kg;
+            let energy_j = 0.5 * mass * w * w + 0.5 * k * (x * x - stop_m * stop_m);
+            let found_j = number(&found, "rotational_energy_j");
+            assert_near(found_j, turning_kg / mass * energy_j, 1e-9);
+        }
+    }
+}
+
 /// A damper alone takes `b w` at once. A cocked plate that comes back fast enough for its damper to balance its spring bears most at the
 /// first arrest: 489.9605256 N by DOP853 of another library.
 #[test]

@@ -1,4 +1,4 @@
-//! Peak loads of mount, spring and fused interface.
+//! Peak loads of mount, spring and fused interface, and the maximum speed, which a geared inertia turns with.
 
 use std::array;
 
@@ -10,18 +10,20 @@ use crate::model::impact::results::ImpactRun;
 use crate::model::impact::state::State;
 use crate::model::mechanism::load;
 use crate::model::run::EventKind;
-use crate::numerics::smaller;
+use crate::numerics::{larger, smaller};
 
 /// Signs of the mechanism's force for compression and tension of the interface.
 pub(super) const COMPRESSION_TENSION_SIGNS: [f64; 2] = [1.0, -1.0];
 
-/// Peak loads of mount, spring and fused interface.
+/// Peak loads of mount, spring and fused interface, and the maximum speed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Loads {
     /// Peak of the total force of spring, damper and elastic stop, N.
     pub(super) mount_n: f64,
     /// Minimum displacement of the plate, m: how far it goes back.
     pub(super) backmost_m: f64,
+    /// Maximum speed of the plate, m/s; without rotation only at ends of steps and before events.
+    pub(super) fastest_m_s: f64,
     /// Peak compression and tension of the fused interface, relative to its limit load in compression.
     pub(super) ratios: Option<[f64; 2]>,
     /// Times at which compression and tension first exceed the limit loads, s.
@@ -63,7 +65,7 @@ impl Equations<'_> {
 }
 
 impl ImpactRun<'_> {
-    /// Returns `true` if later motion can increase the peak loads of mount, spring or interface.
+    /// Returns `true` if later motion can increase the peak loads of mount, spring or interface, or the energy of a geared inertia.
     pub(super) fn loads_may_grow(&mut self) -> bool {
         let Self { setup, ref mode, ref state, ref record, .. } = *self;
         let equations = Equations { setup, mode };
@@ -85,7 +87,8 @@ impl ImpactRun<'_> {
         let exceeds =
             is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
         let reach_m = equations.max_reachable_displacement_m(state, energy_j);
-        let speed_m_s = (2.0 * energy_j / equations.moving_kg()).sqrt();
+        let least_j = mode.elastic.least_energy(back_m, reach_m);
+        let speed_m_s = (2.0 * (energy_j - least_j) / equations.moving_kg()).sqrt();
         let damped_j = setup.damper.force(speed_m_s) * (reach_m - back_m);
         let is_conserved = (setup.damper.is_absent() || damped_j <= NEGLIGIBLE * energy_j)
             && !(setup.has_stop() && reach_m >= setup.stop.position_m);
@@ -94,11 +97,14 @@ impl ImpactRun<'_> {
             || (exceeds && record.loads.exceeded_s[0].is_none())
         {
             let grows = (0..2).any(|way| most_n[way] > known_n[way] * (1.0 + RESOLUTION));
-            return grows || self.is_loaded_more_at(back_m);
+            let turns_faster = setup.mass.turning_kg > 0.0
+                && speed_m_s > record.loads.fastest_m_s * (1.0 + RESOLUTION);
+            return grows || turns_faster || self.is_loaded_more_at(back_m);
         }
         // The energy is conserved on the way to the peak of the spring force and back.
         let Self { setup, ref mode, ref state, ref mut record, .. } = *self;
         record.note_loads(&Equations { setup, mode }, state, most_n, |_| None);
+        record.loads.fastest_m_s = larger(speed_m_s, record.loads.fastest_m_s);
         self.note_way_back(back_m);
         false
     }

@@ -48,8 +48,6 @@ pub(super) struct Recorder {
     pub(super) farthest_s: f64,
     /// Displacement, m, and time, s, of the reversal farthest ahead; a hit on the stop is one.
     pub(super) turn: Option<[f64; 2]>,
-    /// Maximum speed of the plate, m/s; without rotation only at ends of steps and before events.
-    pub(super) fastest_m_s: f64,
     /// Whether the plate was locked up to the first arrest.
     pub(super) was_held: bool,
     pub(super) cost: Cost,
@@ -118,7 +116,7 @@ impl Recorder {
         swing: &FusedSwing,
     ) {
         self.cost.steps += 1;
-        self.fastest_m_s = larger(swing.greatest_m_s(), self.fastest_m_s);
+        self.loads.fastest_m_s = larger(swing.greatest_m_s(), self.loads.fastest_m_s);
         let [from_n, to_n] = [from, to].map(|state| equations.mechanism_n(state.x_m, 0.0));
         let most_n = [larger(from_n, to_n), larger(-from_n, -to_n)];
         self.note_loads(equations, to, most_n, |_| None);
@@ -180,7 +178,7 @@ impl Recorder {
     /// Records a state.
     pub(super) fn reach(&mut self, equations: &Equations<'_>, state: &State) {
         self.note_displacement(equations.shown_displacement_m(state.x_m), state.t_s);
-        self.fastest_m_s = larger(state.w_m_s.abs(), self.fastest_m_s);
+        self.loads.fastest_m_s = larger(state.w_m_s.abs(), self.loads.fastest_m_s);
     }
 
     /// Adds the work in the hole, of the damper and of the elastic stop, by Gauss quadrature; exact for products of two dense-output
@@ -205,9 +203,9 @@ impl Recorder {
     /// Records the peak forces of contact, mount and interface on a step, and the maximum speed of a plate with a geared inertia.
     fn note_forces(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
         if equations.setup.mass.turning_kg > 0.0 {
-            let known_m_s = self.fastest_m_s;
+            let known_m_s = self.loads.fastest_m_s;
             let greatest_m_s = path.greatest(known_m_s, |state| state.w_m_s.abs());
-            self.fastest_m_s = larger(greatest_m_s, known_m_s);
+            self.loads.fastest_m_s = larger(greatest_m_s, known_m_s);
         }
         // Friction does not count as a peak force.
         let flows = equations.setup.law == ContactLaw::Flow;
@@ -330,7 +328,7 @@ impl Recorder {
         (before, from): (&Equations<'_>, &State),
         (after, to): (&Equations<'_>, &State),
     ) {
-        self.fastest_m_s = larger(from.w_m_s.abs(), self.fastest_m_s);
+        self.loads.fastest_m_s = larger(from.w_m_s.abs(), self.loads.fastest_m_s);
         self.reach(after, to);
         let picks_up = after.setup.shears() && !before.setup.shears();
         self.mark(event, (before, from), (after, to));

@@ -94,7 +94,7 @@ impl ImpactRun<'_> {
             return false;
         }
         let in_tail = self.state.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON);
-        let is_slow = self.state.w_m_s <= ARRIVED_SPEED * self.record.fastest_m_s;
+        let is_slow = self.state.w_m_s <= ARRIVED_SPEED * self.record.loads.fastest_m_s;
         in_tail || self.is_before_max_displacement() && (equations.is_undamped() || !is_slow)
     }
 
@@ -220,7 +220,7 @@ impl ImpactRun<'_> {
         let stress_at = |x_m: f64| load::stress_ratio(self.scene, x_m);
         let stress = ends.and_then(|[from, to]| Some(larger(stress_at(from)?, stress_at(to)?)));
         let positive = |value: f64| Some(value).filter(|value| *value > 0.0);
-        let speed = self.record.fastest_m_s;
+        let speed = self.record.loads.fastest_m_s;
         MechanismLoad {
             stored_j: ends.filter(|_| !spring.is_absent()).map(|[from, to]| {
                 // An absorber does not store the energy of crushing.

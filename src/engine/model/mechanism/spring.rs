@@ -181,6 +181,13 @@ impl Spring {
             .fold(0.0, larger)
     }
 
+    /// Returns the minimum energy stored between two displacements, J.
+    pub fn least_energy(&self, low_m: f64, high_m: f64) -> f64 {
+        let inside = self.stations_m().0.iter().copied().filter(|x| (low_m..=high_m).contains(x));
+        let ends = [low_m, high_m].into_iter().filter(|x| x.is_finite());
+        inside.chain(ends).map(|x| self.energy(x)).fold(f64::INFINITY, smaller)
+    }
+
     /// Returns the displacement that a plate reaches from x with a total energy, forward (1) or backward (-1), m; infinite if the spring
     /// does not stop it.
     #[inline]
