@@ -142,10 +142,17 @@ fn column<'c>(
     text: impl Fn(&Run) -> Option<String> + 'c,
 ) -> Table<'c, Compared<'c>> {
     let value = move |it: &Compared<'_>| find(name)?.value(it.1.ok()?);
-    table.with(name, label, "", value).shown(move |it, value| {
-        let own = it.1.ok().and_then(&text);
-        own.or_else(|| Some(fixed_significant(factor * value.as_f64()?, 4)))
+    table.with(name, label, "", value).shown(move |it, _| {
+        let run = it.1.ok()?;
+        text(run).or_else(|| known(find(name)?, factor, run))
     })
+}
+
+/// Formats a quantity times a factor, or its lower bound as such.
+fn known(quantity: &Quantity, factor: f64, run: &Run) -> Option<String> {
+    let number = |value: f64| fixed_significant(factor * value, 4);
+    let bound = || Some(format!(">= {}", number(quantity.lower_bound(run)?)));
+    quantity.value(run).map(number).or_else(bound)
 }
 
 fn is_perforated(run: &Run) -> bool {
@@ -157,9 +164,12 @@ fn depth(run: &Run) -> String {
     if is_perforated(run) {
         return "through".to_owned();
     }
-    let Some(depth_m) = run.penetration.final_m else { return "-".to_owned() };
-    let percent = run.percent_of_baseline().map_or_else(String::new, |it| format!(" ({it:.0})"));
-    format!("{}{percent}", fixed_significant(1e3 * depth_m, 4))
+    let depth = find("final_penetration_m").and_then(|it| known(it, 1e3, run));
+    let Some(depth) = depth else { return "-".to_owned() };
+    let percent =
+        find("percent_of_baseline").and_then(|it| it.value(run).or_else(|| it.lower_bound(run)));
+    let percent = percent.map_or_else(String::new, |it| format!(" ({it:.0})"));
+    format!("{depth}{percent}")
 }
 
 /// Adds the results of a run to an object.
@@ -316,7 +326,7 @@ fn all_variables(scene: &Scene) -> Value {
 mod tests {
     use super::*;
     use crate::study::testing::run_of;
-    use cmra_engine::model::run::{ContactMode, RunWarning};
+    use cmra_engine::model::run::{AtLeast, ContactMode, Penetration, RunWarning};
 
     fn sample(t_s: f64, penetration_m: f64, mode: ContactMode) -> Sample {
         Sample { t_s, mode, penetration_m, ..Sample::default() }
@@ -329,6 +339,21 @@ mod tests {
         let table = comparison([("now".to_owned(), Ok(&run))]);
         let peak = &table.cells(&["peak_contact_force_n"])[0].cells[0];
         assert_eq!(*peak, fixed_significant(1e-3 * run.peak_contact_force_n.unwrap(), 4));
+    }
+
+    /// What is known only as a lower bound is such in the table, with its percentage of the rigid mount's depth.
+    #[test]
+    fn a_lower_bound_is_one_in_a_comparison() {
+        let moving = Run {
+            at_least: AtLeast { penetration_m: Some(6e-3), plate_displacement_m: Some(0.02) },
+            penetration: Penetration { baseline_m: Some(8e-3), ..Penetration::default() },
+            ..Run::default()
+        };
+        let run = Run { plastic: Some(Arc::new(moving.clone())), ..moving };
+        let table = comparison([("now".to_owned(), Ok(&run))]);
+        let keys = ["final_penetration_m", "plastic", "max_plate_displacement_m"];
+        let cells = table.cells(&keys).into_iter().map(|column| column.cells[0].clone());
+        assert_eq!(cells.collect::<Vec<_>>(), [">= 6.000 (75)", ">= 6.000 (75)", ">= 20.00"]);
     }
 
     fn jump() -> Vec<Sample> {
