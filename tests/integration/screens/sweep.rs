@@ -17,6 +17,8 @@ use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
 use cmra::worker::studies::{PictureSweep, PrintedSweep, RequestVariant, StudyResult};
 use cmra::worker::{JobProgress, ReportBody};
+use cmra_engine::model::scene::SpringKind;
+use cmra_engine::model::variables::{VARIABLES, Variable, find, is_used};
 use cmra_studies::study::context::{self as study, Context};
 use cmra_studies::study::sweep::Plan;
 use cmra_studies::study::sweep::grid::Grid;
@@ -438,4 +440,35 @@ fn a_figure_says_what_it_holds_and_where_it_differs_from_its_caption() {
     answer(&mut bench);
     let screen = bench.screen();
     assert!(screen.contains("k 1000 kN/m^n (caption: 100 kN/m^n, see ?)"), "{screen}");
+}
+
+/// Whatever the kind of spring, the line above the chart names the one that acts and its variables, and none that have no effect.
+#[test]
+fn what_is_held_names_the_spring_that_acts() {
+    for kind in SpringKind::ALL {
+        let mut bench = Bench::ascii(120, 36);
+        let mut scene = bench.app.scene.as_ref().clone();
+        scene.mechanism.spring.kind = kind;
+        bench.app.scene = Arc::new(scene.clone());
+        bench.press("2");
+        answer(&mut bench);
+        let screen = bench.screen();
+        let line = format!(" {} ", screen.lines().nth(1).expect("the line of what is held").trim());
+        let is_named = |symbol: &str| line.contains(&format!(" {symbol} "));
+        // The points of a table are no variables; one spring needs no count.
+        let is_own = |variable: &&Variable| {
+            let is_number = variable.number().is_some() && variable.symbol != "N_spring";
+            is_number && variable.key.starts_with("mechanism.spring.") && is_used(variable, &scene)
+        };
+        let is_ignored = |symbol: &str| !is_used(find(symbol).unwrap(), &scene);
+        assert!(["k", "n"].iter().all(|it| !(is_ignored(it) && is_named(it))), "{line}");
+        if kind == SpringKind::PowerLaw {
+            assert!(is_named("k") && is_named("n"), "{line}");
+            continue;
+        }
+        assert!(line.contains(&format!("spring {}", kind.word())), "{line}");
+        let own: Vec<&str> = VARIABLES.iter().filter(is_own).map(|it| it.symbol).collect();
+        let is_first_named = own.first().is_none_or(|first| is_named(first));
+        assert!(is_first_named && (own.is_empty() == (kind == SpringKind::Table)), "{line}");
+    }
 }

@@ -73,7 +73,7 @@ fn is_main(variable: &Variable) -> bool {
 }
 
 /// Returns the variables of the scene's kind of spring that a power law lacks; empty for a power law.
-fn spring_rows(scene: &Scene) -> Vec<usize> {
+pub(crate) fn spring_rows(scene: &Scene) -> Vec<usize> {
     if scene.mechanism.spring.kind == SpringKind::PowerLaw {
         return Vec::new();
     }
