@@ -219,13 +219,16 @@ pub fn picture(found: &Map) -> Option<map::Map<'static>> {
 }
 
 /// Describes where the mechanism pays at the scene's value of the second variable: the ranges of the first variable with a mass efficiency
-/// above 1, else the maximum of the map; `None` if too few points are computed.
+/// above 1, else the maximum of the map; `None` if too few points are computed. A point without a mass efficiency, or not computed yet, may
+/// hide where it pays.
 pub fn where_it_pays(map: &Map, scene: &Scene) -> Option<String> {
     let (x, y) = (map.x(), map.y());
     let (row, points) = map.row(y.nearest(y.own_value(scene)?));
     let points: Vec<(f64, f64)> = points.into_iter().map(|(at, it)| (x.value(at), it)).collect();
     let [(first, _), .., (last, _)] = points[..] else { return None };
     let ranges = above_one(&points);
+    let is_open = |cell: Result<f64, Absence>| cell.is_err_and(|absence| !absence.rules_out());
+    let is_row_open = (0..x.count()).any(|x| map.cell(x, row).is_some_and(is_open));
     let about = if map.is_complete() { "" } else { "about " };
     let at = format!("at {} {}", y.symbol(), y.show(y.value(row), 3));
     let show = |value: f64| x.show(value, 3);
@@ -237,7 +240,8 @@ pub fn where_it_pays(map: &Map, scene: &Scene) -> Option<String> {
     };
     if !ranges.is_empty() {
         let ranges: Vec<String> = ranges.iter().map(range).collect();
-        return Some(format!("it pays {} {at}", ranges.join(" and ")));
+        let open = if is_row_open { ", not known whether elsewhere" } else { "" };
+        return Some(format!("it pays {} {at}{open}", ranges.join(" and ")));
     }
     let place = |(x_at, y_at): (u64, u64)| {
         let [(a, a_at), (b, b_at)] = [(x, x_at), (y, y_at)];
@@ -249,10 +253,16 @@ pub fn where_it_pays(map: &Map, scene: &Scene) -> Option<String> {
     let known = all.filter_map(|at| Some((at, map.cell(at.0, at.1)?.ok()?)));
     let (best, most) = known.max_by(|one, other| one.1.total_cmp(&other.1))?;
     let (best, most) = (place(best), fixed_significant(most, 3));
-    Some(if most.parse().is_ok_and(|most: f64| most > 1.0) {
-        format!("it does not pay {at}; most on the map: {most} at {best}")
-    } else {
-        format!("it pays nowhere on the map; most: {most} at {best}")
+    let is_above = most.parse().is_ok_and(|most: f64| most > 1.0);
+    let is_part_open =
+        if is_above { is_row_open } else { map.cells.iter().flatten().any(|cell| is_open(*cell)) };
+    Some(match (is_above, is_part_open || !map.is_complete()) {
+        (true, false) => format!("it does not pay {at}; most on the map: {most} at {best}"),
+        (true, true) => {
+            format!("not known whether it pays {at}; most on the map: {most} at {best}")
+        }
+        (false, false) => format!("it pays nowhere on the map; most: {most} at {best}"),
+        (false, true) => format!("not known whether it pays on the map; most: {most} at {best}"),
     })
 }
 
@@ -456,6 +466,7 @@ fn limits(report: &ComparisonReport) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::compare::{WIDTH, mass_efficiency};
     use crate::study::context::{Context, never_cancel};
     use crate::study::sweep::{Axis, Spacing};
     use cmra_engine::model::variables::changed_free_plate;
@@ -476,6 +487,21 @@ mod tests {
             let told = format!("it pays below {edge} at gamma {gamma}");
             assert_eq!(where_it_pays(&map, &scene), Some(told));
         }
+    }
+
+    /// Between two points of the row, one of which has no mass efficiency, a shot computed by itself says that moving pays.
+    #[test]
+    fn what_no_point_of_a_row_decides_is_not_said_of_the_row() {
+        let scene = changed_free_plate("k=1e5 d=0.0051 v_i=10.5 gamma=1").unwrap();
+        let between = mass_efficiency(&scene, Hardware::default(), WIDTH).unwrap();
+        assert!(between > 1.0, "{between}");
+        let axis = |name, ends| Axis::new(name, ends, 2, Spacing::Linear).unwrap();
+        let axes = [axis("v_i", (10.0, 11.0)), axis("gamma", (1.0, 3.0))];
+        let mut watch = never_cancel;
+        let context = &mut Context::new(1, &mut watch);
+        let map = Map::compute(&scene, &axes, Hardware::default(), context).unwrap();
+        let told = where_it_pays(&map, &scene).unwrap_or_default();
+        assert!(!told.contains("does not pay") && !told.contains("nowhere"), "{told}");
     }
 
     #[test]

@@ -60,6 +60,11 @@ impl Absence {
         format!("{}{}", self.label, self.more)
     }
 
+    /// Returns `true` if moving cannot pay: no plate of the kind stops the shot. Any other reason leaves that open.
+    pub fn rules_out(self) -> bool {
+        self == Self::NO_THICKNESS
+    }
+
     /// Returns `true` if the minimum thickness is undecided; `false` if no such armour exists.
     pub fn is_open(self) -> bool {
         self == Self::UNDECIDED
