@@ -189,6 +189,28 @@ fn valid_the_fused_interface_carries_the_buckling_load_on_the_way_back() {
     assert_near(demand(preset), demand(&format!("{preset} horizon=60ms")), 1e-9);
 }
 
+/// A plastic interface whose swing is to exceed its limit load slips: above the bottom of the hole it carries the grip of its strength, and
+/// no more. No slip is resolved while a steep spring locks the plate: the estimate holds what that leaves out.
+#[test]
+fn valid_a_plastic_interface_carries_its_limit_load_and_no_more() {
+    let steep = "v_i=36.2074 gamma=0.98949 h=0.0603193 w_0=-8.61855 k=341951 n=0.197821";
+    let guided = "v_i=217.934 gamma=4.23491 d=0.000146836 w_0=-0.303255 spring=prbm-guided \
+                  l_beam=0.116967 N_spring=5";
+    for (scene, end) in [(steep, "horizon=0.4ms"), (guided, "horizon=10ms")] {
+        for more in ["", "x_stop=1e6", "b=1e-12", "tol=1e-12", end] {
+            let found = run(&format!("{scene} interface=plastic {more}"));
+            assert_near(number(&found, "interface_demand_ratio"), 0.1, 1e-9);
+        }
+    }
+    for more in ["tol=1e-3", "tol=1e-6", "g=0.05"] {
+        let grip = if more == "g=0.05" { 0.05 } else { 0.1 };
+        let found = run(&format!("{steep} interface=plastic {more}"));
+        let demand = number(&found, "interface_demand_ratio");
+        let estimate = number(&found["error_estimates"], "interface_demand_ratio");
+        assert!((demand - grip).abs() <= estimate * demand * (1.0 + 1e-9), "{more}: {demand}");
+    }
+}
+
 /// At the first arrest the spring carries the strength pi R² `S_y`. It gives the fused bodies back what it has stored, less the work of the
 /// damper, 2 b w X of the integral of (1 - z^(n+1))^(1/2), however short their swing is: the half that the interface carries is 5 times
 /// its grip. Before the turn the damper adds more than the spring lacks, at most b² X/(2 n M F) of the force F.

@@ -48,7 +48,8 @@ fn scale(of: RunResult) -> Scale {
 
 /// Returns what the free oscillation that both computations damp changes in a result.
 fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
-    let LeftOut { arrest_m, arrest_m_s, farthest_m, force_n, energy_j } = second.estimate.left_out;
+    let LeftOut { arrest_m, arrest_m_s, farthest_m, force_n, energy_j, demand_ratio } =
+        second.estimate.left_out;
     match of {
         RunResult::ArrestPenetration
         | RunResult::ArrestPlateDisplacement
@@ -63,7 +64,7 @@ fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
                 let moved_m = arrest.plate_displacement_m.abs();
                 if arrest_m > 0.0 { arrest_m / moved_m } else { 0.0 }
             });
-            value * larger(at_peak, at_arrest)
+            larger(value * larger(at_peak, at_arrest), demand_ratio)
         }
         RunResult::StoredEnergy => energy_j,
         RunResult::ArrestTime

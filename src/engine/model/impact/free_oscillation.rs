@@ -28,6 +28,8 @@ pub(super) struct FreeOscillation {
     excited: f64,
     /// Damped by the method so far.
     pub(super) left_out: f64,
+    /// Whether the plate was locked in a slip of a plastic interface.
+    pub(super) is_lost_in_slip: bool,
 }
 
 impl FreeOscillation {
@@ -43,6 +45,8 @@ impl FreeOscillation {
 
     /// Follows a step.
     pub(super) fn step(&mut self, equations: &Equations<'_>, path: &DenseOutput<'_>) {
+        let is_locked = equations.mode.hold == PlateConstraint::Spring;
+        self.is_lost_in_slip |= is_locked && equations.is_touching() && !equations.is_loading();
         if self.excited == 0.0 {
             return;
         }

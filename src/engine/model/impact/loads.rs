@@ -80,9 +80,16 @@ impl ImpactRun<'_> {
         {
             return true;
         }
+        // A slip ends where the bodies stick, and load their interface anew.
+        if setup.interface.is_plastic && setup.law == ContactLaw::Flow && equations.is_touching() {
+            return true;
+        }
         let bounds = equations.peak_load_bounds_n(state, energy_j);
         let most_n = equations.mechanism_bounds_n(bounds);
-        let known_n = record.loads.known_n(&equations, state);
+        let limits_n: [f64; 2] = equations.limit_loads_n(state).into();
+        let slips = is_joined
+            && setup.interface.is_plastic
+            && (0..2).any(|way| bounds[way] > limits_n[way]);
         let back_m = mode.elastic.reach(equations.displacement_m(state.x_m), energy_j, -1.0);
         let exceeds =
             is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
@@ -91,12 +98,24 @@ impl ImpactRun<'_> {
         let speed_m_s = (2.0 * (energy_j - least_j) / equations.moving_kg()).sqrt();
         let damped_j = setup.damper.force(speed_m_s) * (reach_m - back_m);
         let is_conserved = (setup.damper.is_absent() || damped_j <= NEGLIGIBLE * energy_j)
+            && !slips
             && !(setup.has_stop() && reach_m >= setup.stop.position_m);
         if !is_conserved
             || setup.absorber.is_some()
             || (exceeds && record.loads.exceeded_s[0].is_none())
         {
-            let grows = (0..2).any(|way| most_n[way] > known_n[way] * (1.0 + RESOLUTION));
+            // A plastic interface carries no more than its limit load; its tension is no result.
+            let carried = if setup.interface.is_plastic {
+                [smaller(bounds[0], limits_n[0]), 0.0]
+            } else {
+                bounds
+            };
+            let carried_n = equations.mechanism_bounds_n(carried);
+            let known_n = record.loads.known_n(&equations, state);
+            let grows = (0..2).any(|way| {
+                carried_n[way] > known_n[way] * (1.0 + RESOLUTION)
+                    || most_n[way] > record.loads.mount_n * (1.0 + RESOLUTION)
+            });
             let turns_faster = setup.mass.turning_kg > 0.0
                 && speed_m_s > record.loads.fastest_m_s * (1.0 + RESOLUTION);
             return grows || turns_faster || self.is_loaded_more_at(back_m);
@@ -123,8 +142,7 @@ impl ImpactRun<'_> {
 
     /// Returns `true` if a swing of fused bodies is still to load their interface, which a short one does no less than a long one.
     pub(super) fn follows_short_swing(&mut self) -> bool {
-        let is_joined = self.mode.contact == Contact::Fused && !self.setup.interface.is_plastic;
-        is_joined && self.loads_may_grow()
+        self.mode.contact == Contact::Fused && self.loads_may_grow()
     }
 
     /// Returns `true` if the spring stores more at a displacement behind the plate, or is closer to its limits there, than so far.

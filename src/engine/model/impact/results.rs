@@ -259,7 +259,17 @@ impl ImpactRun<'_> {
             farthest_m: farthest,
             force_n: by_m(self.mode.spring.tangent(farthest_m)),
             energy_j: by_m(self.mode.spring.force(farthest_m)),
+            demand_ratio: self.omitted_demand(),
         }
+    }
+
+    /// Returns how much more a plastic interface can carry than was found, relative to its strength, where the plate was locked in a slip:
+    /// its oscillation decides the load after the slip.
+    fn omitted_demand(&self) -> f64 {
+        let known = self.record.loads.ratios.filter(|_| self.record.oscillation.is_lost_in_slip);
+        let limit_n = self.equations().limit_loads_n(&self.state).0;
+        let strength_n = self.equations().strength_n(&self.state);
+        known.map_or(0.0, |[push, _]| larger(limit_n / strength_n - push, 0.0))
     }
 
     /// Returns the largest displacement of the plate, m; infinite for a plate that moves away without end.

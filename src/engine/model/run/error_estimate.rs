@@ -41,4 +41,6 @@ pub struct LeftOut {
     pub force_n: f64,
     /// Energy of the spring there, J.
     pub energy_j: f64,
+    /// Load of a plastic interface relative to its limit load in compression, which the oscillation during a slip decides.
+    pub demand_ratio: f64,
 }
