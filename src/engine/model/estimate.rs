@@ -48,7 +48,7 @@ fn scale(of: RunResult) -> Scale {
 
 /// Returns what the free oscillation that both computations damp changes in a result.
 fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
-    let LeftOut { arrest_m, arrest_m_s, farthest_m, force_n, energy_j, demand_ratio } =
+    let LeftOut { arrest_m, arrest_m_s, farthest_m, force_n, energy_j, .. } =
         second.estimate.left_out;
     match of {
         RunResult::ArrestPenetration
@@ -64,15 +64,15 @@ fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
                 let moved_m = arrest.plate_displacement_m.abs();
                 if arrest_m > 0.0 { arrest_m / moved_m } else { 0.0 }
             });
-            larger(value * larger(at_peak, at_arrest), demand_ratio)
+            larger(value * larger(at_peak, at_arrest), second.estimate.left_out.demand_ratio)
         }
         RunResult::StoredEnergy => energy_j,
+        RunResult::SeparationTime => second.estimate.left_out.separation_s,
         RunResult::ArrestTime
         | RunResult::ExitTime
         | RunResult::PeakContactForce
         | RunResult::ResidualVelocity
         | RunResult::RotationalEnergy
-        | RunResult::SeparationTime
         | RunResult::SeparationVelocity => 0.0,
     }
 }

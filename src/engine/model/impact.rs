@@ -5,7 +5,7 @@
 //! freedom; `plate_lock` locks the plate while a stiff spring holds it. `run` is the integration loop, and `method` lists the methods;
 //! `fused_swing` goes from event to event without steps, `zero_passage` across the singular zero of a spring. `outcome` decides by energy
 //! when the run ends. `dense_output` has the states on a step, `recorder` accumulates rows, work and peak forces (`loads`),
-//! `free_oscillation` what the method damps, and `results` builds the [`Run`]. `resolution` has the tolerances that several of them share.
+//! `free_oscillation` what the method damps, `contact_end` how well the end of a contact is known, and `results` builds the [`Run`]. `resolution` has the tolerances that several of them share.
 
 use std::sync::Arc;
 
@@ -23,6 +23,7 @@ use crate::numerics::explicit::{Dop853, Rk4};
 use crate::numerics::larger;
 pub use method::IntegrationMethod;
 
+mod contact_end;
 mod dense_output;
 mod equations;
 mod events;

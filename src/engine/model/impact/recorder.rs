@@ -3,6 +3,7 @@
 use std::array;
 
 use crate::model::contact_models::ContactLaw;
+use crate::model::impact::contact_end::ContactEnd;
 use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::free_oscillation::FreeOscillation;
@@ -53,6 +54,7 @@ pub(super) struct Recorder {
     pub(super) cost: Cost,
     /// Free oscillation of the plate, in the second computation of an estimate.
     pub(super) oscillation: FreeOscillation,
+    pub(super) contact_end: ContactEnd,
     /// Amplitude that the method has damped at the first arrest and at the maximum displacement.
     pub(super) left_out: [f64; 2],
 }
@@ -103,6 +105,7 @@ impl Recorder {
         self.cost.steps += 1;
         self.add_work(equations, path);
         self.oscillation.step(equations, path);
+        self.contact_end.step(equations, path);
         self.note_displacements(equations, path);
         self.note_forces(equations, path);
         self.draw(equations, path);
@@ -472,8 +475,7 @@ impl Equations<'_> {
     }
 }
 
-/// Returns the peak of a force of the mechanism on a step. The peak of a power law is at an extreme displacement, which the sampling points
-/// give up to rounding if the plate reverses within the step.
+/// Returns the peak of a force of the mechanism on a step; that of a power law is at an extreme displacement, up to rounding a sample.
 fn peak_n(
     equations: &Equations<'_>,
     path: &DenseOutput<'_>,

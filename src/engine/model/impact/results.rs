@@ -260,7 +260,14 @@ impl ImpactRun<'_> {
             force_n: by_m(self.mode.spring.tangent(farthest_m)),
             energy_j: by_m(self.mode.spring.force(farthest_m)),
             demand_ratio: self.omitted_demand(),
+            separation_s: self.unresolved_separation_s(),
         }
+    }
+
+    /// Returns how long before the separation the force of the contact was within its error, s.
+    fn unresolved_separation_s(&self) -> f64 {
+        let from_s = self.record.contact_end.unresolved_from_s;
+        self.record.separation.zip(from_s).map_or(0.0, |(at, from_s)| larger(at.t_s - from_s, 0.0))
     }
 
     /// Returns how much more a plastic interface can carry than was found, relative to its strength, where the plate was locked in a slip:

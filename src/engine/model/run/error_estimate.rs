@@ -43,4 +43,6 @@ pub struct LeftOut {
     pub energy_j: f64,
     /// Load of a plastic interface relative to its limit load in compression, which the oscillation during a slip decides.
     pub demand_ratio: f64,
+    /// Time before the separation from which on the force of a lumped contact is within its error, s.
+    pub separation_s: f64,
 }
