@@ -75,7 +75,8 @@ pub fn in_bracket(a: f64, b: f64, f: &dyn Fn(f64) -> f64) -> f64 {
             GOLDEN * before_last
         };
         let least = if step.abs() >= tolerance { step } else { tolerance.copysign(step) };
-        let u = x + least;
+        // The smallest step can lead beyond an end.
+        let u = if x + least > a && x + least < b { x + least } else { x - least };
         let at_u = f(u);
         let is_best = at_u >= at_x;
         let end = if is_best { x } else { u };
@@ -123,6 +124,20 @@ mod tests {
             1.5 * (-200.0 * (s - 0.25f64).powi(2)).exp() + 2.0 * (-200.0 * (s - 0.75).powi(2)).exp()
         };
         assert!(is_near(two, 2.0) && is_near(|s| two(1.0 - s), 2.0));
+    }
+
+    /// A maximum closer to an end than the tolerance of its position.
+    #[test]
+    fn no_point_outside_the_bracket_is_tried() {
+        for i in 0..1000 {
+            let (at, bend) = (2e-11 * f64::from(i), 1e-3 * f64::from(i));
+            let f = |s: f64| {
+                assert!((0.0..=1.0).contains(&s), "{at:e}: {s:e}");
+                -(s - at).powi(2) * (1.0 + bend * s)
+            };
+            in_bracket(0.0, 1.0, &f);
+            in_bracket(0.0, 1.0, &|s| f(1.0 - s));
+        }
     }
 
     /// By 1e-12 over the end, of which rounding leaves a step.
