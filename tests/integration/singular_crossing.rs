@@ -188,3 +188,39 @@ fn valid_a_plate_leaves_the_knot_that_it_starts_at() {
         assert_near(depth, exact, 1e-8);
     }
 }
+
+/// A velocity of the plate that is negligible changes nothing, however steep its spring is.
+#[test]
+fn valid_a_plate_that_hardly_moves_at_first_is_as_one_at_rest() {
+    for spring in ["n=0.2 k=1e6", "n=0.15 k=3e4", "n=0.28 k=1e7", "n=0.2 k=1e6 interface=plastic"] {
+        let at_rest = run(scene(spring));
+        for w_0 in ["1e-11", "-1e-11"] {
+            let found = run(scene(&format!("{spring} w_0={w_0}")));
+            assert_eq!((found.outcome, found.end), (at_rest.outcome, at_rest.end), "{spring}");
+            let of = |run: &Run| {
+                let arrest = run.first_arrest.unwrap();
+                [arrest.penetration_m, arrest.plate_displacement_m, arrest.t_s]
+            };
+            for (found, exact) in of(&found).into_iter().zip(of(&at_rest)) {
+                assert_near(found, exact, 1e-11);
+            }
+        }
+    }
+}
+
+/// The swing of a plate that a spring holds keeps its action: the oscillation about the balance of the contact has the amplitude
+/// (4 c w_0 X/(pi r))^(1/2), with the integral c < 1 of w/w_0 over x/X to the turn X, and the frequency r there.
+#[test]
+fn valid_an_estimate_has_the_swing_of_a_plate_that_its_spring_holds() {
+    let (n, k, w_0) = (0.2f64, 1e6f64, 1e-6f64);
+    let found = run(scene(&format!("n={n} k={k} w_0={w_0}")));
+    let x = found.first_arrest.unwrap().plate_displacement_m;
+    let kg = found.scene.plate_mass_kg();
+    let rate = (n * k * x.powf(n - 1.0) / kg).sqrt();
+    let turn = ((n + 1.0) * 0.5 * kg * w_0 * w_0 / k).powf(1.0 / (n + 1.0));
+    let mean: f64 =
+        (0..1000).map(|i| (1.0 - ((f64::from(i) + 0.5) / 1e3).powf(n + 1.0)).sqrt()).sum();
+    let amplitude = (4.0 * 1e-3 * mean * w_0 * turn / (std::f64::consts::PI * rate)).sqrt();
+    let estimate = found.error_of("first_arrest_plate_displacement_m").unwrap();
+    assert!(estimate * x >= amplitude && estimate * x < 1.5 * amplitude, "{estimate} {amplitude}");
+}

@@ -68,8 +68,8 @@ fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
         }
         RunResult::StoredEnergy => energy_j,
         RunResult::SeparationTime => second.estimate.left_out.separation_s,
-        RunResult::ArrestTime
-        | RunResult::ExitTime
+        RunResult::ArrestTime => second.estimate.left_out.arrest_s,
+        RunResult::ExitTime
         | RunResult::PeakContactForce
         | RunResult::ResidualVelocity
         | RunResult::RotationalEnergy

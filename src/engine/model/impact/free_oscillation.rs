@@ -3,12 +3,15 @@
 //! On a stiff or steep spring the plate follows the contact force and oscillates about the balance. An L-stable method damps what it cannot
 //! resolve, and two such computations of the same scene damp the same: their difference does not show it. The laws bound it instead.
 //!
+//! - From a short swing on a spring that holds the plate: it keeps its action, the integral of w dx over a period.
 //! - From rest: the force F' t moves the plate by inertia alone, F' t³/6 m, until the spring balances it; the plate arrives there at a
 //!   displacement x with a velocity above that of the balance. With n = 1 the amplitude is x/6^(1/2); with n = 1/3 the balance is the exact
 //!   solution, and below there is no such start.
 //! - At a corner of the area law: the forces of both pieces differ by dF. In the time of one radian of the oscillation this moves
 //!   the balance by dF over the stiffness. For dF ~ t^r the amplitude is gamma(r + 1) times that: at most twice for r from 1 to 2.
 //! - While the stiffness changes slowly, amplitude² times frequency is constant; a damper reduces it.
+
+use std::f64::consts::PI;
 
 use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::Equations;
@@ -33,9 +36,15 @@ pub(super) struct FreeOscillation {
 }
 
 impl FreeOscillation {
-    /// Adds the oscillation that a start from rest excites.
+    /// Adds the oscillation that a start from rest or from a short swing excites.
     pub(super) fn start(&mut self, equations: &Equations<'_>) {
         self.excited += equations.excited_at_start();
+        if equations.mode.hold == PlateConstraint::Spring {
+            // The action of the swing is at most 4 times amplitude times velocity, that of the later oscillation pi amplitude² frequency.
+            let setup = equations.setup;
+            let product = setup.first_swing_m() * setup.start.w_m_s.abs();
+            self.excited += (4.0 / PI * product).sqrt();
+        }
     }
 
     /// Adds the oscillation that the corner between the area laws of two modes excites, at a state after it.
@@ -157,7 +166,7 @@ mod tests {
                 it.amplitudes(it.excited_at_start(), 1e-6)[0]
             })
         };
-        let rate_n_s = std::f64::consts::PI * 0.0127 / 1.5 * (1.52e8 + 6.775e6) * 100.0;
+        let rate_n_s = PI * 0.0127 / 1.5 * (1.52e8 + 6.775e6) * 100.0;
         let exact_m = rate_n_s / 1e9 / (1e9 / 0.0295f64).sqrt();
         assert!(is_near(start("gamma=1 k=1e9"), exact_m, 1e-12), "{exact_m:e}");
         for pairs in ["gamma=1 k=1e9 n=0.3", "gamma=1 k=1e9 d=1mm", "gamma=1 k=0"] {

@@ -254,10 +254,20 @@ impl ImpactParameters {
 
     /// Returns `true` if the plate starts at rest at a singular zero of its spring or damper.
     pub(super) fn starts_steep(&self) -> bool {
-        let is_at_zero = !self.is_rigid_mount
-            && (self.start.x_m, self.start.w_m_s) == (0.0, 0.0)
-            && self.spring.force(0.0) == 0.0;
+        self.start.w_m_s == 0.0 && self.starts_at_steep_zero()
+    }
+
+    /// Returns `true` if the plate starts at a zero of its spring with infinite stiffness.
+    pub(super) fn starts_at_steep_zero(&self) -> bool {
+        let is_at_zero =
+            !self.is_rigid_mount && self.start.x_m == 0.0 && self.spring.force(0.0) == 0.0;
         is_at_zero && self.spring.is_steep_at_zero() && self.law != ContactLaw::AtOnce
+    }
+
+    /// Returns the greatest displacement of a plate that swings on its spring with the velocity at first contact, m.
+    pub(super) fn first_swing_m(&self) -> f64 {
+        let moving_j = 0.5 * self.mass.plate_kg * self.start.w_m_s * self.start.w_m_s;
+        self.spring.reach(0.0, moving_j, 1.0)
     }
 
     /// Returns `true` if the plate is at its stop or beyond at first contact.

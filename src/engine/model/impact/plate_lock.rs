@@ -112,7 +112,11 @@ impl Equations<'_> {
     /// The plate is locked if inertia alone would allow a much larger displacement by that time. After unlocking it is then quasi-static.
     pub(super) fn initial_lock_displacement_m(&self) -> Option<f64> {
         let setup = self.setup;
-        if !setup.starts_steep() || !Rule::InitialLock.applies() || setup.law != ContactLaw::Flow {
+        // A swing this short is rounding error.
+        let is_at_rest =
+            setup.start.w_m_s == 0.0 || setup.first_swing_m() < ROUNDING * setup.reference.length_m;
+        let starts_steep = is_at_rest && setup.starts_at_steep_zero();
+        if !starts_steep || !Rule::InitialLock.applies() || setup.law != ContactLaw::Flow {
             return None;
         }
         let state = State { u_m_s: setup.reference.velocity_m_s, ..State::default() };

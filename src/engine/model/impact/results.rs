@@ -251,11 +251,18 @@ impl ImpactRun<'_> {
         let at_arrest = first_arrest.map_or([0.0; 2], |arrest| {
             equations.amplitudes(*until_arrest, arrest.plate_displacement_m)
         });
+        // The strength takes the velocity of the plate's oscillation.
+        let strength_n = first_arrest.map_or(0.0, |arrest| {
+            let q_m = self.setup.geometry.travel_m(arrest.penetration_m);
+            equations.strength_n(&State { q_m, ..self.state })
+        });
+        let arrest_s = self.setup.mass.projectile_kg * at_arrest[1] / strength_n;
         let [farthest, _] = equations.amplitudes(at_farthest, farthest_m);
         let by_m = |of: f64| if farthest > 0.0 { farthest * of.abs() } else { 0.0 };
         LeftOut {
             arrest_m: at_arrest[0],
             arrest_m_s: at_arrest[1],
+            arrest_s: if self.flows() && strength_n > 0.0 { arrest_s } else { 0.0 },
             farthest_m: farthest,
             force_n: by_m(self.mode.spring.tangent(farthest_m)),
             energy_j: by_m(self.mode.spring.force(farthest_m)),

@@ -41,15 +41,16 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
         w_m_s: setup.start.w_m_s,
         ..State::default()
     };
-    if setup.start.w_m_s != 0.0 {
+    if let Some(held_m) = (Equations { setup, mode: &mode }).initial_lock_displacement_m() {
+        (mode.hold, mode.held_m, mode.w_side) = (PlateConstraint::Spring, held_m, 1.0);
+        hold_plate(setup, &mut state);
+    }
+    if state.w_m_s != 0.0 {
         update_direction(setup, &mut mode, &state);
     }
     if setup.law == ContactLaw::AtOnce {
         merge_bodies(setup, &mut mode, &mut state);
         setup.update_weight(&mut mode, Contact::Penetrating);
-    }
-    if let Some(held_m) = (Equations { setup, mode: &mode }).initial_lock_displacement_m() {
-        (mode.hold, mode.held_m) = (PlateConstraint::Spring, held_m);
     }
     // A moving plate hits its stop in the loop, which records the work.
     if setup.starts_on_stop() && state.w_m_s == 0.0 {
@@ -57,6 +58,12 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
         mode.w_side = 1.0;
     }
     (mode, state)
+}
+
+/// Stops the plate; the projectile keeps its velocity.
+fn hold_plate(setup: &ImpactParameters, state: &mut State) {
+    state.u_m_s += setup.cos * state.w_m_s;
+    state.w_m_s = 0.0;
 }
 
 /// Returns the mode after an event; sets the state exactly to the event, and applies its jump.
@@ -89,8 +96,7 @@ pub(super) fn after(
         Event::SpringHolds => {
             (next.hold, next.held_m) =
                 (PlateConstraint::Spring, setup.relock_displacement_m(state.q_m));
-            state.u_m_s += setup.cos * state.w_m_s;
-            state.w_m_s = 0.0;
+            hold_plate(setup, state);
         }
         Event::Yields => {
             next.hold = PlateConstraint::Free;

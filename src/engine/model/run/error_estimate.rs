@@ -35,6 +35,8 @@ pub struct LeftOut {
     pub arrest_m: f64,
     /// Velocity of the plate at the first arrest, m/s.
     pub arrest_m_s: f64,
+    /// Time of the first arrest, s.
+    pub arrest_s: f64,
     /// Displacement of the plate at its maximum, m.
     pub farthest_m: f64,
     /// Force of the spring there, N.
