@@ -209,7 +209,7 @@ fn valid_a_plate_that_hardly_moves_at_first_is_as_one_at_rest() {
 }
 
 /// The swing of a plate that a spring holds keeps its action: the oscillation about the balance of the contact has the amplitude
-/// (4 c w_0 X/(pi r))^(1/2), with the integral c < 1 of w/w_0 over x/X to the turn X, and the frequency r there.
+/// `(4 c w_0 X/(pi r))^(1/2)`, with the integral c < 1 of w over the swing, as parts of `w_0` and its turn X, and the frequency r there.
 #[test]
 fn valid_an_estimate_has_the_swing_of_a_plate_that_its_spring_holds() {
     let (n, k, w_0) = (0.2f64, 1e6f64, 1e-6f64);
