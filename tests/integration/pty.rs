@@ -191,8 +191,15 @@ impl Terminal {
         };
         while !is_redrawn(&self.drawn[before..]) {
             let left = deadline.saturating_duration_since(Instant::now());
-            let bytes = self.bytes.recv_timeout(left).expect("it redraws");
-            self.take(&bytes);
+            match self.bytes.recv_timeout(left) {
+                Ok(bytes) => self.take(&bytes),
+                Err(error) => {
+                    panic!(
+                        "it redraws: {error}; the screen is\n{}",
+                        self.parser.screen().contents()
+                    )
+                }
+            }
         }
     }
 
