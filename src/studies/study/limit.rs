@@ -130,6 +130,27 @@ impl Limit {
         Some(self).filter(is_decided)?.velocity_m_s()
     }
 
+    /// Returns what the limit says of a shot at this velocity: arrested or perforated; `None` where it does not decide.
+    pub fn outcome_at(self, impact_m_s: f64) -> Option<Outcome> {
+        let (undecided_m_s, through_m_s) = match self {
+            Self::Found { velocity_m_s, stopped_at_m_s, undecided_at_m_s, .. } => {
+                let through_m_s = stopped_at_m_s.is_none().then_some(velocity_m_s);
+                (undecided_at_m_s.unwrap_or(velocity_m_s), through_m_s)
+            }
+            Self::Between { undecided_m_s, through_m_s } => (undecided_m_s, through_m_s),
+            Self::Never => return Some(Outcome::Arrested),
+            Self::Always => return Some(Outcome::Perforated),
+            Self::NotModelled | Self::Unknown => return None,
+        };
+        if impact_m_s < undecided_m_s {
+            Some(Outcome::Arrested)
+        } else {
+            through_m_s
+                .filter(|through_m_s| impact_m_s >= *through_m_s)
+                .map(|_| Outcome::Perforated)
+        }
+    }
+
     /// Explains why there is no limit velocity; `None` if there is one.
     pub fn absence(self) -> Option<String> {
         let (low, high) = RANGE_M_S;
@@ -139,10 +160,10 @@ impl Limit {
                 let undecided = fixed_significant(undecided_m_s, 4);
                 Some(match through_m_s.map(|it| fixed_significant(it, 4)) {
                     Some(through) => format!(
-                        "limit not known: shots from {undecided} m/s on end before their outcome is known, {through} m/s perforates"
+                        "limit not known: the work of a search does not decide shots from {undecided} m/s on; {through} m/s perforates"
                     ),
                     None => format!(
-                        "limit not known: a shot at {undecided} m/s ends before its outcome is known, and none from {low} to {high} m/s is known \
+                        "limit not known: the work of a search does not decide a shot at {undecided} m/s, and none from {low} to {high} m/s is known \
                          to perforate"
                     ),
                 })
@@ -220,7 +241,7 @@ impl LimitReport {
     pub fn undecided(&self) -> Option<String> {
         let velocity_m_s = self.limit.velocity_m_s().and_then(|_| self.undecided_at_m_s())?;
         Some(format!(
-            "a shot at {} m/s ends before its outcome is known: it is not known to perforate",
+            "the work of a search does not decide a shot at {} m/s: it is not known to perforate",
             fixed_significant(velocity_m_s, 4)
         ))
     }

@@ -103,8 +103,8 @@ impl ShotRunner<'_, '_, '_> {
             return None;
         }
         let own = aimed(self.scene, limit_m_s * (1.0 - BESIDE_LIMIT));
-        let settings = self.work.of_shot(Settings::SERIES);
-        let mut run = simulate(&own, &settings, &mut self.context.observer()).ok()?;
+        // The loads are those of a run: this one shot may take the work of one.
+        let mut run = simulate(&own, &Settings::SERIES, &mut self.context.observer()).ok()?;
         self.work.spend(work_of(&run));
         // The limit has no depth to compare with the baseline.
         run.warnings.retain(|warning| *warning != RunWarning::NoBaseline);

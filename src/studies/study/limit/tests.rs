@@ -144,7 +144,7 @@ fn valid_a_range_of_undecided_shots_has_no_limit() {
             };
             let is_below = through_m_s.is_none_or(|it| undecided_m_s < it);
             assert!(undecided_m_s > 200.0 && is_below, "{pairs}: {limit:?}");
-            assert!(limit.absence().unwrap().contains("before their outcome is known"));
+            assert!(limit.absence().unwrap().contains("does not decide shots"));
         }
     }
 }
@@ -183,6 +183,21 @@ fn valid_the_residual_velocity_at_the_limit_is_not_that_of_a_faster_shot() {
     let left_m_s = shot.unwrap().unwrap().shot_residual_m_s().unwrap();
     let residual = rebounds.residual_at_limit_m_s.unwrap();
     assert!(left_m_s < -10.0 && (residual - left_m_s).abs() < 1e-2, "{residual} {left_m_s}");
+}
+
+/// A slower shot that is undecided leaves all up to the limit undecided, a faster one that is stopped all beyond it.
+#[test]
+fn a_limit_decides_no_shot_beside_one_that_it_does_not() {
+    let at = |limit: Limit| [70.0, 87.0, 160.0].map(|velocity_m_s| limit.outcome_at(velocity_m_s));
+    let (stopped, through) = (Some(Outcome::Arrested), Some(Outcome::Perforated));
+    let found = Limit::found(150.0, LimitMethod::Outcome);
+    assert_eq!(at(found), [stopped, stopped, through]);
+    assert_eq!(at(found.above_undecided(80.0)), [stopped, None, through]);
+    assert_eq!(at(found.stopped_again(Some(170.0))), [stopped, stopped, None]);
+    let between = Limit::Between { undecided_m_s: 80.0, through_m_s: Some(150.0) };
+    assert_eq!(at(between), [stopped, None, through]);
+    assert_eq!(at(Limit::Between { undecided_m_s: 80.0, through_m_s: None })[2], None);
+    assert_eq!(at(Limit::NotModelled), [None; 3]);
 }
 
 /// Random scenes inside the numerical envelope, and one with slow shots only. Few shots follow once the budget is exhausted.
