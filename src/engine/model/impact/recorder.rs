@@ -45,8 +45,6 @@ pub(super) struct Recorder {
     pub(super) loads: Loads,
     /// Maximum displacement, m.
     pub(super) farthest_m: f64,
-    /// Time of the maximum displacement, s.
-    pub(super) farthest_s: f64,
     /// Displacement, m, and time, s, of the reversal farthest ahead; a hit on the stop is one.
     pub(super) turn: Option<[f64; 2]>,
     /// Whether the plate was locked up to the first arrest.
@@ -161,18 +159,18 @@ impl Recorder {
         if equations.mode.hold == PlateConstraint::Spring {
             let greatest_m =
                 path.greatest(self.farthest_m, |state| equations.quasi_static_state(state).0);
-            self.note_displacement(greatest_m, path.looks[0].t_s);
+            self.note_displacement(greatest_m);
             return;
         }
         for state in &path.looks {
-            self.note_displacement(equations.shown_displacement_m(state.x_m), state.t_s);
+            self.note_displacement(equations.shown_displacement_m(state.x_m));
         }
     }
 
-    fn note_displacement(&mut self, x_m: f64, t_s: f64) {
+    fn note_displacement(&mut self, x_m: f64) {
         // Increases within rounding are ignored: a plate can reach its stop many times.
         if x_m - self.farthest_m > 4.0 * f64::EPSILON * x_m.abs() {
-            (self.farthest_m, self.farthest_s) = (x_m, t_s);
+            self.farthest_m = x_m;
             self.left_out[1] = self.oscillation.left_out;
         }
         self.loads.backmost_m = smaller(x_m, self.loads.backmost_m);
@@ -180,7 +178,7 @@ impl Recorder {
 
     /// Records a state.
     pub(super) fn reach(&mut self, equations: &Equations<'_>, state: &State) {
-        self.note_displacement(equations.shown_displacement_m(state.x_m), state.t_s);
+        self.note_displacement(equations.shown_displacement_m(state.x_m));
         self.loads.fastest_m_s = larger(state.w_m_s.abs(), self.loads.fastest_m_s);
     }
 
@@ -333,6 +331,13 @@ impl Recorder {
     ) {
         self.loads.fastest_m_s = larger(from.w_m_s.abs(), self.loads.fastest_m_s);
         self.reach(after, to);
+        let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
+        let known_m = self.turn.map_or(f64::NEG_INFINITY, |[known_m, _]| known_m);
+        let x_m = after.shown_displacement_m(to.x_m);
+        // An undamped plate turns again and again where it turned first.
+        if turns && before.mode.w_side > 0.0 && x_m - known_m > RESOLUTION * x_m.abs() {
+            self.turn = Some([x_m, to.t_s]);
+        }
         let picks_up = after.setup.shears() && !before.setup.shears();
         self.mark(event, (before, from), (after, to));
         let is_corner = matches!(event, modes::Event::PieceEnd | modes::Event::PieceStart);
@@ -345,12 +350,6 @@ impl Recorder {
             modes::Event::HistoryEnd => self.work.penetration_j += lost_j,
             _ if picks_up => self.work.pick_up_j += lost_j,
             _ => {}
-        }
-        let turns = matches!(event, modes::Event::SpeedZero | modes::Event::StopReached);
-        let known_m = self.turn.map_or(f64::NEG_INFINITY, |[known_m, _]| known_m);
-        let x_m = after.shown_displacement_m(to.x_m);
-        if turns && before.mode.w_side > 0.0 && x_m - known_m > 4.0 * f64::EPSILON * x_m.abs() {
-            self.turn = Some([x_m, to.t_s]);
         }
         self.cost.turns += usize::from(turns && before.mode.w_side * after.mode.w_side < 0.0);
         self.note_mount(after, to);
@@ -400,9 +399,7 @@ impl Recorder {
                 self.pass_joint(setup, to);
             }
             modes::Event::Recontact => self.note(to.t_s, EventKind::Recontact),
-            modes::Event::SpeedZero
-                if old.w_side > 0.0 && after.displacement_m(to.x_m) >= self.farthest_m =>
-            {
+            modes::Event::SpeedZero if self.turn.is_some_and(|[_, t_s]| t_s >= to.t_s) => {
                 self.events.retain(|it| it.kind != EventKind::GreatestDisplacement);
                 self.note(to.t_s, EventKind::GreatestDisplacement);
             }

@@ -410,9 +410,10 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let separation = record.separation.filter(|_| outcome == Outcome::Separated);
     let parting = record.exit.or(separation);
     // A reversal before the maximum displacement is not marked.
-    events.retain(|event| {
-        event.kind != EventKind::GreatestDisplacement || event.t_s >= record.farthest_s
-    });
+    let is_farthest = record
+        .turn
+        .is_some_and(|[x_m, _]| record.farthest_m - x_m <= RESOLUTION * record.farthest_m.abs());
+    events.retain(|event| event.kind != EventKind::GreatestDisplacement || is_farthest);
     let mut run = Run {
         scene: Arc::clone(course.scene),
         outcome,
