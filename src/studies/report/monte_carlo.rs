@@ -8,7 +8,7 @@ use crate::report::verdict;
 use crate::study::context::Reach;
 use crate::study::limit::RANGE_M_S;
 use crate::study::monte_carlo::{
-    Distribution, Estimate, LIMIT, ModelError, MonteCarloReport, Summary,
+    Distribution, Estimate, LIMIT, ModelError, MonteCarloReport, PerforatedShare, Summary,
 };
 use crate::study::validity;
 use crate::study::verdict::Verdict;
@@ -131,11 +131,16 @@ pub fn drawn_again(count: usize) -> Option<String> {
 
 /// Describes the probability of perforation, at length and briefly; `None` if unknown.
 pub fn perforation(report: &MonteCarloReport) -> Option<[String; 2]> {
-    let found = report.perforated?;
-    let [part, low, high] =
-        [found.value, found.low_95, found.high_95].map(|part| significant(100.0 * part, 3));
+    let PerforatedShare { least, most, low_95, high_95 } = report.perforated?;
+    let [least, most, low, high] =
+        [least, most, low_95, high_95].map(|part| significant(100.0 * part, 3));
+    let (part, open) = if least == most {
+        (least, "")
+    } else {
+        (format!("{least} to {most}"), ", some undecided")
+    };
     Some([
-        format!("perforated: {part} % of the shots (95 % confidence: {low} to {high} %)"),
+        format!("perforated: {part} % of the shots{open} (95 % confidence: {low} to {high} %)"),
         format!("perforated: {part} % (95 %: {low} to {high} %)"),
     ])
 }
@@ -195,8 +200,10 @@ pub fn json(name: &str, report: &MonteCarloReport, verdict: &Verdict, reach: Rea
         object.insert("quantiles".to_owned(), quantiles.collect());
         object
     });
-    let perforation = report.perforated.map(|Estimate { value, low_95, high_95 }| {
-        json!({ "probability": value, "low_95": low_95, "high_95": high_95 })
+    let perforation = report.perforated.map(|share| {
+        let PerforatedShare { least, most, low_95, high_95 } = share;
+        let probability = Some(least).filter(|_| most - least == 0.0);
+        json!({ "probability": probability, "low_95": low_95, "high_95": high_95 })
     });
     let mut object = json!({
         "scene": name,

@@ -147,6 +147,20 @@ pub struct Estimate {
     pub high_95: f64,
 }
 
+/// Fraction of the samples that perforate: least and greatest value, which are equal if all samples are decided, and the 95 % confidence
+/// interval of both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PerforatedShare {
+    /// Fraction if no undecided sample perforates.
+    pub least: f64,
+    /// Fraction if all undecided samples perforate.
+    pub most: f64,
+    /// Lower end of the interval.
+    pub low_95: f64,
+    /// Upper end of the interval.
+    pub high_95: f64,
+}
+
 /// Scatter of one measure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
@@ -179,8 +193,8 @@ pub struct MonteCarloReport {
     pub outcomes: OutcomeCounts,
     /// Outcome of the unscattered scene.
     pub nominal: Option<PointOutcome>,
-    /// Fraction of the decided samples that perforate, with Wilson's interval; `None` if no sample is decided.
-    pub perforated: Option<Estimate>,
+    /// Fraction of the samples that perforate, with Wilson's interval; `None` if no sample is decided.
+    pub perforated: Option<PerforatedShare>,
     /// Model error.
     pub model: ModelError,
     /// Summary of each measure; a limit velocity has one with and one without the model error.
@@ -379,14 +393,15 @@ fn sample(
     Err(StudyError::NoDraw { draws: DRAWS_MAX, last })
 }
 
-/// Computes the fraction of the decided samples that perforate.
-fn perforated(counts: OutcomeCounts) -> Option<Estimate> {
+/// Computes the fraction of the samples that perforate. The undecided ones are no random part: they lie beside the limit.
+fn perforated(counts: OutcomeCounts) -> Option<PerforatedShare> {
+    let through = counts.count(Outcome::Perforated);
     let open = counts.count(Outcome::Moving) + counts.count(Outcome::Unmeasured);
-    let ended = (counts.total() - counts.failed - open) as f64;
-    let fraction = counts.count(Outcome::Perforated) as f64 / ended;
-    (ended > 0.0).then(|| {
-        let (low_95, high_95) = wilson(fraction, ended);
-        Estimate { value: fraction, low_95, high_95 }
+    let total = counts.total() - counts.failed;
+    let [least, most] = [through, through + open].map(|count| count as f64 / total as f64);
+    (open < total).then(|| {
+        let n = total as f64;
+        PerforatedShare { least, most, low_95: wilson(least, n).0, high_95: wilson(most, n).1 }
     })
 }
 

@@ -40,7 +40,7 @@ fn valid_quantiles_through_a_monotone_closed_form() {
         assert!(width < 0.02 * depth);
     }
     assert_eq!((report.samples, report.outcomes.count(Outcome::Arrested)), (20_000, 20_000));
-    let Estimate { value, low_95, high_95 } = report.perforated.unwrap();
+    let PerforatedShare { least: value, low_95, high_95, .. } = report.perforated.unwrap();
     assert!(value == 0.0 && low_95 == 0.0 && (1e-4..3e-4).contains(&high_95), "{high_95}");
 }
 
@@ -163,5 +163,21 @@ fn valid_scatter_of_a_limit_is_that_of_its_inputs_and_of_the_model() {
     let density = |at: f64| (-0.5 * at * at).exp() / std::f64::consts::TAU.sqrt();
     let below = (0..1000).map(|i| density(z * (f64::from(i) + 0.5) / 1000.0)).sum::<f64>();
     let expected = 0.5 + z * below / 1000.0;
-    assert!((report.perforated.unwrap().value - expected).abs() < 0.02, "{expected}");
+    assert!((report.perforated.unwrap().least - expected).abs() < 0.02, "{expected}");
+}
+
+/// Wilson's interval by hand for 10 and for 34 of 40: 0.1419 to 0.4019 and 0.7093 to 0.9294.
+#[test]
+fn valid_undecided_samples_count_as_stopped_and_as_perforated() {
+    let mut counts = OutcomeCounts::default();
+    for (outcome, count) in
+        [(Outcome::Arrested, 6), (Outcome::Perforated, 10), (Outcome::Moving, 24)]
+    {
+        (0..count).for_each(|_| counts.add(PointOutcome::Ended(outcome)));
+    }
+    let share = perforated(counts).unwrap();
+    let found = [share.least, share.most, share.low_95, share.high_95];
+    for (found, right) in found.into_iter().zip([0.25, 0.85, 0.1419, 0.9294]) {
+        assert!((found - right).abs() < 1e-4, "{share:?}");
+    }
 }
