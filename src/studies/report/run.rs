@@ -155,13 +155,10 @@ fn known(quantity: &Quantity, factor: f64, run: &Run) -> Option<String> {
     quantity.value(run).map(number).or_else(bound)
 }
 
-fn is_perforated(run: &Run) -> bool {
-    run.shot_outcome() == Outcome::Perforated
-}
-
 /// Formats the depth, mm, with its percentage of the depth on a rigid mount in brackets.
 fn depth(run: &Run) -> String {
-    if is_perforated(run) {
+    // A nose that perforates by its protrusion stays in the plate.
+    if run.shot_outcome() == Outcome::Perforated && run.protrusion_m().is_none() {
         return "through".to_owned();
     }
     let depth = find("final_penetration_m").and_then(|it| known(it, 1e3, run));
@@ -354,6 +351,21 @@ mod tests {
         let keys = ["final_penetration_m", "plastic", "max_plate_displacement_m"];
         let cells = table.cells(&keys).into_iter().map(|column| column.cells[0].clone());
         assert_eq!(cells.collect::<Vec<_>>(), [">= 6.000 (75)", ">= 6.000 (75)", ">= 20.00"]);
+    }
+
+    /// By its protrusion a nose perforates that stays in the plate.
+    #[test]
+    fn a_nose_that_only_protrudes_has_a_depth_in_a_comparison() {
+        for (pairs, stays) in
+            [("v_i=215 h=8mm criterion=protrusion", true), ("v_i=400 h=3mm", false)]
+        {
+            let run = run_of(pairs);
+            assert_eq!(run.shot_outcome(), Outcome::Perforated, "{pairs}");
+            let table = comparison([("now".to_owned(), Ok(&run))]);
+            let depth = fixed_significant(1e3 * run.penetration.final_m.unwrap(), 4);
+            let cell = if stays { &depth } else { "through" };
+            assert_eq!(table.cells(&["final_penetration_m"])[0].cells[0], cell, "{pairs}");
+        }
     }
 
     fn jump() -> Vec<Sample> {
