@@ -84,9 +84,11 @@ impl App {
         let mut parts = pages::page(self.tab).status(self);
         let others = pages::all_jobs(self).filter(|(tab, _)| *tab != self.tab && *tab != Tab::Run);
         for (tab, _) in others {
-            let text = format!("{} is computing", tab.title(&self.keymap));
-            let at = parts.len().min(1);
-            parts.insert(at, (Severity::Note, text));
+            let part = (Severity::Note, format!("{} is computing", tab.title(&self.keymap)));
+            // A tab may have several jobs.
+            if !parts.contains(&part) {
+                parts.insert(parts.len().min(1), part);
+            }
         }
         parts.into_iter().map(|(severity, text)| (severity, self.keymap.shown(&text))).collect()
     }
