@@ -12,7 +12,7 @@ use crate::study::compare::{is_held, is_spring_sized_by_shot};
 use crate::study::envelope;
 use crate::study::limit::residual_law::ResidualLaw;
 use crate::study::limit::{
-    Closures, Limit, LimitReport, RANGE_M_S, Shot, is_stopped_by_every_closure,
+    Closures, Limit, LimitReport, RANGE_M_S, ResidualAtLimit, Shot, is_stopped_by_every_closure,
 };
 use crate::study::quantities::find;
 use crate::study::validity;
@@ -124,17 +124,21 @@ pub fn taken_to_hold(report: &LimitReport) -> Option<Remark> {
 /// Explains a residual velocity that starts far above zero, which the laws of the curve do not describe; `None` for other limits.
 fn carried(report: &LimitReport) -> Option<String> {
     let limit_m_s = report.limit.velocity_m_s()?;
-    if let Some(back) = report.residual_at_limit_m_s.filter(|it| *it < 0.0) {
-        return Some(format!(
-            "Just above the limit the shot rebounds: it is through the plate, which carries it back at {} m/s.",
-            fixed_significant(-back, 4)
-        ));
+    let ResidualAtLimit { velocity_m_s, is_settled } = report.residual_at_limit?;
+    let size = if is_settled {
+        format!("{} m/s", fixed_significant(velocity_m_s.abs(), 4))
+    } else {
+        "a velocity that depends on how close to the limit it is".to_owned()
+    };
+    if velocity_m_s < 0.0 {
+        Some(format!(
+            "Just above the limit the shot rebounds: it is through the plate, which carries it back at {size}."
+        ))
+    } else {
+        (velocity_m_s > CARRIED * limit_m_s).then(|| {
+            format!("Just above the limit the residual velocity is {size}: the plate moves along with the projectile.")
+        })
     }
-    let residual = report.residual_at_limit_m_s.filter(|it| *it > CARRIED * limit_m_s)?;
-    let residual = fixed_significant(residual, 4);
-    Some(format!(
-        "Just above the limit the residual velocity is {residual} m/s: the plate moves along with the projectile."
-    ))
 }
 
 /// Describes the load of the mechanism at the limit; `None` if unknown.
@@ -255,6 +259,8 @@ pub fn json(name: &str, report: &LimitReport) -> Value {
         | Limit::Unknown => (None, None),
     };
     let at_limit = |name| find(name)?.value(report.at_limit.as_ref()?);
+    // A rebounding shot has no residual velocity.
+    let residual = report.residual_at_limit.filter(|it| it.is_settled && it.velocity_m_s >= 0.0);
     let closures = report.closures.map(|closures| {
         json!({
             "double_yield_dishing_m_s": closures.double_yield_m_s,
@@ -278,8 +284,7 @@ pub fn json(name: &str, report: &LimitReport) -> Value {
         "undecided_at_m_s": report.undecided_at_m_s(),
         "impact_velocity_m_s": report.scene.projectile.velocity_m_s,
         "interface_holds_m_s": report.interface_holds_m_s,
-        // A rebounding shot has no residual velocity.
-        "residual_at_limit_m_s": report.residual_at_limit_m_s.filter(|it| *it >= 0.0),
+        "residual_at_limit_m_s": residual.map(|it| it.velocity_m_s),
         "margin": report.margin(),
         "caution": report.caution(),
         "stroke_at_limit_m": at_limit("stroke_m"),

@@ -198,6 +198,15 @@ pub struct Shot {
     pub residual_m_s: Option<f64>,
 }
 
+/// Residual velocity just above a limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResidualAtLimit {
+    /// The velocity, m/s; negative if the plate carries the projectile back.
+    pub velocity_m_s: f64,
+    /// `false` if it depends on how close to the limit the shot is: a passage whose relative velocity decays takes the longer, the closer it is.
+    pub is_settled: bool,
+}
+
 /// Name of the command that finds the limit of a scene.
 pub const COMMAND: &str = "limit";
 
@@ -210,8 +219,8 @@ pub struct LimitReport {
     pub limit: Limit,
     /// Shot just below the limit; `None` without a limit.
     pub at_limit: Option<Run>,
-    /// Residual velocity of a shot just above the limit, m/s; `None` without a limit, or if that shot does not perforate.
-    pub residual_at_limit_m_s: Option<f64>,
+    /// Residual velocity just above the limit; `None` without a limit, or if that shot does not perforate.
+    pub residual_at_limit: Option<ResidualAtLimit>,
     /// Impact velocity up to which a fused interface stays within its limit load, m/s; 0 if no shot of a scan stays within it; `None` if the
     /// interface stays within it just below the ballistic limit, or if slow shots exceed it and faster ones do not.
     pub interface_holds_m_s: Option<f64>,
@@ -263,7 +272,7 @@ fn find_within(
     work: &mut ShotWork,
 ) -> Result<LimitReport, VariableError> {
     variables::validate(scene)?;
-    context.expect(SCAN + 41 + 2 * BESIDE.len() + 2 * BELOW + ABOVE);
+    context.expect(SCAN + 42 + 2 * BESIDE.len() + 2 * BELOW + ABOVE);
     let mut range = ShotRunner { scene, context, work };
     let limit = range.whole_limit();
     let shots = range.curve(limit);
@@ -273,7 +282,7 @@ fn find_within(
     let perforated: Vec<(f64, f64)> = perforated.collect();
     let found_m_s = limit.velocity_m_s();
     let at_limit = found_m_s.and_then(|limit_m_s| range.at_limit(limit_m_s));
-    let residual_at_limit_m_s = found_m_s.and_then(|limit_m_s| range.residual_at_limit(limit_m_s));
+    let residual_at_limit = found_m_s.and_then(|limit_m_s| range.residual_at_limit(limit_m_s));
     let interface_holds_m_s = at_limit.as_ref().zip(found_m_s);
     let interface_holds_m_s = interface_holds_m_s
         .and_then(|(at_limit, limit_m_s)| range.interface_holds(at_limit, limit_m_s));
@@ -283,7 +292,7 @@ fn find_within(
         scene: Arc::clone(scene),
         limit,
         at_limit,
-        residual_at_limit_m_s,
+        residual_at_limit,
         interface_holds_m_s,
         closures,
         jump_m_s,

@@ -258,7 +258,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("added_inertia_kg", Mass, "mass that the mechanism adds to the plate: rotation, and the springs' own mass", Source::Run(|run| run.mechanism.added_kg)),
     quantity("spring_mass_kg", Mass, "the springs' own mass", Source::Run(|run| run.mechanism.spring_mass_kg)),
     result(RotationalEnergy, Energy, "greatest energy of the plate's rotation"),
-    quantity(PeakMountForce.key(), Force, "greatest force into the mount, way back included: spring, damper and elastic stop; of a rigid mount, the contact force along the normal", Source::Run(peak_n))
+    quantity(PeakMountForce.key(), Force, "greatest force into the mount, way back included: spring, damper and elastic stop, and what turns a geared mass; of a rigid mount, the contact force along the normal", Source::Run(peak_n))
         .by_contact(Displacement(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::min_peak_n).short("mount force"),
     quantity("mount_impulse_n_s", Impulse, "impulse into the mount along the plate's normal, up to the greatest displacement; known of model = hydrodynamic alone", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()))),
     quantity("travel_margin", Number, "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),

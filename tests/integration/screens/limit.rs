@@ -38,7 +38,7 @@ fn found(scene: &Arc<Scene>) -> LimitReport {
         scene: Arc::clone(scene),
         limit: Limit::found(V_BL, LimitMethod::Outcome),
         at_limit: None,
-        residual_at_limit_m_s: None,
+        residual_at_limit: None,
         interface_holds_m_s: None,
         closures: None,
         jump_m_s: None,

@@ -8,8 +8,8 @@ use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::closures::jump;
 use crate::study::limit::shot_outcome::{BracketEnd, ShotOutcome, decide, edge};
 use crate::study::limit::{
-    ABOVE, BELOW, BESIDE_LIMIT, CURVE, Closures, Limit, LimitMethod, RANGE_M_S, SCAN, Shot,
-    closed_form,
+    ABOVE, BELOW, BESIDE_LIMIT, CURVE, Closures, Limit, LimitMethod, RANGE_M_S, ResidualAtLimit,
+    SCAN, Shot, closed_form,
 };
 use cmra_engine::model::run::{EndReason, Observer, Outcome, Run, RunWarning};
 use cmra_engine::model::scene::Scene;
@@ -23,6 +23,8 @@ const WIDTH: f64 = 1e-10;
 pub(super) const BESIDE: [f64; 6] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.3];
 /// Maximum number of times that the check of a limit may find a lower one.
 const LOWER_MAX: usize = 4;
+/// Difference of the residual velocities at two distances above a limit that is negligible, relative to it: the last digit on pages.
+const SETTLED: f64 = 1e-4;
 /// Relative width of the final bracket around the velocity at which the interface reaches its limit load.
 const HOLDS_WIDTH: f64 = 1e-5;
 /// Points of the scan for that velocity, and distance of the slowest one above the velocity of the plate, relative to it.
@@ -111,9 +113,12 @@ impl ShotRunner<'_, '_, '_> {
         (run.end != EndReason::Cancelled).then_some(run)
     }
 
-    /// Computes the residual velocity just above a limit, m/s; `None` if the shot does not perforate, or if cancelled.
-    pub(super) fn residual_at_limit(&mut self, limit_m_s: f64) -> Option<f64> {
-        self.shoot(limit_m_s * (1.0 + BESIDE_LIMIT))?.0.residual_m_s
+    /// Computes the residual velocity just above a limit; `None` if the shot does not perforate, or if cancelled.
+    pub(super) fn residual_at_limit(&mut self, limit_m_s: f64) -> Option<ResidualAtLimit> {
+        let mut beside = |part: f64| self.shoot(limit_m_s * (1.0 + part))?.0.residual_m_s;
+        let [velocity_m_s, farther_m_s] = [beside(BESIDE_LIMIT)?, beside(10.0 * BESIDE_LIMIT)?];
+        let is_settled = (velocity_m_s - farther_m_s).abs() <= SETTLED * limit_m_s;
+        Some(ResidualAtLimit { velocity_m_s, is_settled })
     }
 
     /// Finds the velocity up to which a fused interface stays within its limit load, m/s, if it exceeds it just below the ballistic limit; 0

@@ -170,7 +170,7 @@ fn valid_the_residual_velocity_at_the_limit_is_not_that_of_a_faster_shot() {
     {
         let report = found(pairs);
         let limit = report.limit.velocity_m_s().unwrap();
-        let residual = report.residual_at_limit_m_s.unwrap();
+        let residual = report.residual_at_limit.unwrap().velocity_m_s;
         assert!((limit / limit_m_s - 1.0).abs() < 2e-6, "{pairs}: {limit}");
         assert!((residual - residual_m_s).abs() < 1e-2, "{pairs}: {residual}");
     }
@@ -181,8 +181,22 @@ fn valid_the_residual_velocity_at_the_limit_is_not_that_of_a_faster_shot() {
     let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
     let shot = step_by(IntegrationMethod::Dop853(1e-12), &Arc::new(just_above), go_on);
     let left_m_s = shot.unwrap().unwrap().shot_residual_m_s().unwrap();
-    let residual = rebounds.residual_at_limit_m_s.unwrap();
+    let residual = rebounds.residual_at_limit.unwrap().velocity_m_s;
     assert!(left_m_s < -10.0 && (residual - left_m_s).abs() < 1e-2, "{residual} {left_m_s}");
+}
+
+/// On a spring of constant force, or with a damper alone, the relative velocity decays during the passage, and the residual velocity changes
+/// with every power of ten by which the shot is closer to the limit.
+#[test]
+fn a_residual_velocity_may_depend_on_the_distance_from_the_limit() {
+    for (pairs, is_settled) in [
+        ("gamma=5", true),
+        ("k=1e6", true),
+        ("spring=constant", false),
+        ("gamma=2 k=0 b=200", false),
+    ] {
+        assert_eq!(found(pairs).residual_at_limit.unwrap().is_settled, is_settled, "{pairs}");
+    }
 }
 
 /// A slower shot that is undecided leaves all up to the limit undecided, a faster one that is stopped all beyond it.
