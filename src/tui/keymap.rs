@@ -401,7 +401,7 @@ pub static GLOBAL_KEYS: &[KeyHelp] = &[
     line(&[(A::Presets, "presets", "p"), (A::Save, "save", "s")], "presets, threats, materials and absorbers; save the scene"),
     line(&[(A::Characters, "characters", "m"), (A::Colours, "colours", "t"), (A::Mouse, "mouse", "M")], "next characters, next colours; mouse on or off"),
     line(&[(A::Quit, "quit", "q")], "quit (the session is kept)"),
-    line(&[(A::Cancel, "cancel", "Ctrl-c")], "cancel every job, if none is older than 5 s; pressed twice: quit"),
+    line(&[(A::Cancel, "cancel", "Ctrl-c")], "cancel jobs of up to 5 s; pressed twice: quit"),
     line(&[(A::Suspend, "suspend", "Ctrl-z"), (A::Redraw, "redraw", "Ctrl-l")], "suspend (`fg` resumes), redraw the screen"),
 ];
 
