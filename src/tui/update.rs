@@ -337,15 +337,21 @@ pub(crate) fn click(app: &mut App, target: Target) {
     app.history.commit();
     if let Some(pane) = target.pane() {
         app.focus_on(pane);
+        // A click that follows a key before the next frame may mean what is no longer shown.
+        if app.pane() != pane {
+            return;
+        }
     }
     let page = pages::page(app.tab);
     match target {
         Target::Tab(tab) => act::go_to(app, tab),
         Target::Page(at) => page.turn_to(app, at),
-        Target::Row(_, row) => page.select(app, row),
+        Target::Row(_, row) if page.rows(app).is_some_and(|rows| row < rows.count) => {
+            page.select(app, row);
+        }
         Target::Cell(_, cell) => page.go_to_cell(app, cell),
         Target::Value { chart, value, .. } => page.go_to_value(app, chart, value),
-        Target::Pane(_) | Target::DialogRow(_) => {}
+        Target::Row(..) | Target::Pane(_) | Target::DialogRow(_) => {}
     }
 }
 

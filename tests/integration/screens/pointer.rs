@@ -40,6 +40,38 @@ fn a_click_on_a_tab_opens_it_at_every_width() {
     }
 }
 
+/// A click is read with the frame on which a person saw its target; keys before it can have changed the page since.
+#[test]
+fn a_click_on_what_another_page_showed_does_no_harm() {
+    let pages = ["", "2", "3v", "4", "44", "444", "4444", "5", "6", "7"];
+    let open = |keys: &str| {
+        let mut bench = Bench::ascii(100, 40);
+        bench.press(keys);
+        bench
+    };
+    let mut count = 0;
+    for seen in pages {
+        let bench = open(seen);
+        let places = (0..40).flat_map(|row| (0..100).step_by(9).map(move |column| (column, row)));
+        let mut targets: Vec<Target> = Vec::new();
+        for hit in places.filter_map(|at| target(&bench.app, at)) {
+            let is_of_page = !matches!(hit, Target::Tab(_) | Target::Page(_));
+            if is_of_page && !targets.contains(&hit) {
+                targets.push(hit);
+            }
+        }
+        count += targets.len();
+        for now in pages {
+            let mut bench = open(now);
+            for hit in &targets {
+                bench.send(Message::Click(*hit));
+            }
+            assert!(bench.screen().contains("1:Run"), "{seen} {now}");
+        }
+    }
+    assert!(count > 100, "{count}");
+}
+
 #[test]
 fn a_click_selects_a_variable_and_takes_no_text_away() {
     let mut bench = Bench::ascii(80, 24);
