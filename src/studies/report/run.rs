@@ -148,7 +148,7 @@ fn column<'c>(
     })
 }
 
-/// Formats a quantity times a factor, or its lower bound as such.
+/// Formats a quantity times a factor, or `>=` and its lower bound if no more is known.
 fn known(quantity: &Quantity, factor: f64, run: &Run) -> Option<String> {
     let number = |value: f64| fixed_significant(factor * value, 4);
     let bound = || Some(format!(">= {}", number(quantity.lower_bound(run)?)));
@@ -338,7 +338,7 @@ mod tests {
         assert_eq!(*peak, fixed_significant(1e-3 * run.peak_contact_force_n.unwrap(), 4));
     }
 
-    /// What is known only as a lower bound is such in the table, with its percentage of the rigid mount's depth.
+    /// The table marks a lower bound by `>=`, with its percentage of the depth on a rigid mount.
     #[test]
     fn a_lower_bound_is_one_in_a_comparison() {
         let moving = Run {
