@@ -30,8 +30,9 @@ pub const UNHELD: &str =
 
 /// Name and meaning of the contour on a map.
 const LINE: (&str, &str) = ("line of 1", ": above 1 the armour is lighter than the solid plate");
-/// Label of the limit of plate and spring together.
+/// Label of the limit of plate and spring together, and of the results of the shot just below it.
 const SURVIVES: &str = "if spring holds";
+const AT_SURVIVAL: &str = "  if spring holds";
 const DISPLACEMENT: &str = "max_plate_displacement_m";
 /// Keys of the lines of a page.
 const LINES: [&str; 23] = [
@@ -45,13 +46,13 @@ const LINES: [&str; 23] = [
     "outcome",
     "verdict",
     "areal_mass_kg_m2",
-    "areal_mass_at_limit_kg_m2",
+    "areal_mass_if_spring_survives_kg_m2",
     "stroke_m",
-    "stroke_at_limit_m",
+    "stroke_if_spring_survives_m",
     "stored_energy_j",
-    "stored_energy_at_limit_j",
+    "stored_energy_if_spring_survives_j",
     "peak_mount_force_n",
-    "peak_mount_force_at_limit_n",
+    "peak_mount_force_if_spring_survives_n",
     "mount_impulse_n_s",
     "preload_energy_j",
     DISPLACEMENT,
@@ -91,8 +92,13 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
         .field("sized_areal_mass_kg_m2", |it| Some(it.sized.as_ref().ok()?.areal_kg_m2))
         .field("solid_areal_mass_kg_m2", |it| Some(it.sized.as_ref().ok()?.solid_areal_kg_m2))
         .with("areal_mass_kg_m2", "areal mass", "kg/m^2", own("areal_mass_kg_m2"))
-        .with("areal_mass_at_limit_kg_m2", "  at the limit", "kg/m^2", at_limit("areal_mass_kg_m2"))
-        .field("spring_mass_kg", |it| it.spring_kg)
+        .with(
+            "areal_mass_if_spring_survives_kg_m2",
+            AT_SURVIVAL,
+            "kg/m^2",
+            at_limit("areal_mass_kg_m2"),
+        )
+        .field("counted_spring_mass_kg", |it| it.spring_kg)
         .with("limit_velocity_m_s", "ballistic limit", "m/s", |it| it.perforation.velocity_m_s())
         .shown(beyond)
         .with("limit_if_spring_survives_m_s", SURVIVES, "m/s", |it| it.limit_m_s)
@@ -102,9 +108,14 @@ pub fn table<'c>(name: &'c str, report: &'c ComparisonReport) -> Table<'c, &'c E
         .with("peak_mount_force_n", label("peak_mount_force_n"), "N", own("peak_mount_force_n"))
         .with("mount_impulse_n_s", label("mount_impulse_n_s"), "N s", own("mount_impulse_n_s"))
         .with("preload_energy_j", "preloaded energy", "J", preload_j)
-        .with("stroke_at_limit_m", "  at the limit", "m", at_limit("stroke_m"))
-        .with("stored_energy_at_limit_j", "  at the limit", "J", at_limit("stored_energy_j"))
-        .with("peak_mount_force_at_limit_n", "  at the limit", "N", at_limit("peak_mount_force_n"))
+        .with("stroke_if_spring_survives_m", AT_SURVIVAL, "m", at_limit("stroke_m"))
+        .with("stored_energy_if_spring_survives_j", AT_SURVIVAL, "J", at_limit("stored_energy_j"))
+        .with(
+            "peak_mount_force_if_spring_survives_n",
+            AT_SURVIVAL,
+            "N",
+            at_limit("peak_mount_force_n"),
+        )
         .with(DISPLACEMENT, label(DISPLACEMENT), "m", own(DISPLACEMENT))
         .with("thickness_m", "thickness", "m", |it| it.run.scene.target.thickness_m)
         .with(
@@ -163,7 +174,7 @@ pub fn json(name: &str, report: &ComparisonReport) -> Value {
         "face_m2": report.face_m2,
         "spring_energy_j_per_kg": report.scene.mechanism.specific_energy_j_kg(),
         "spring_energy_j": own.and_then(|own| own.run.mechanism.stored_j),
-        "spring_mass_kg": own.and_then(|own| own.spring_kg),
+        "counted_spring_mass_kg": own.and_then(|own| own.spring_kg),
         "criterion": report.scene.target.criterion.word(),
         "spring_is_sized": report.hardware == Hardware::Sized,
         "penetration_over_solid": report.depth_over_solid(),
@@ -378,7 +389,8 @@ fn outside_validity(report: &ComparisonReport) -> Vec<String> {
         let Some(limit_m_s) = entry.limit_m_s.filter(|_| entry.is_held) else { continue };
         let mut at_limit = (*entry.run.scene).clone();
         at_limit.projectile.velocity_m_s = limit_m_s;
-        note(format!("{} at its limit", entry.candidate.word()), &at_limit);
+        let place = if entry.failure.is_some() { "where its spring fails" } else { "at its limit" };
+        note(format!("{} {place}", entry.candidate.word()), &at_limit);
     }
     let own = report.entry(Candidate::Scene).and_then(|own| own.sized.as_ref().ok());
     if own.is_some_and(|sized| sized.scene.target.thickness_m < THINNEST_M) {

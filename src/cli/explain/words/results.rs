@@ -323,7 +323,8 @@ pub(super) const WORDS: &[Entry] = &[
     ),
     (
         &["if spring must survive", "if spring holds"],
-        "ballistic limit of shots that the spring stores without yielding",
+        "ballistic limit of shots that the spring stores without yielding (limit_if_spring_survives_m_s); indented: results of the shot just \
+         below it",
     ),
     // Formulas of `design`, and words of warnings.
     (
