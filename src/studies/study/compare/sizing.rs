@@ -37,7 +37,7 @@ impl Absence {
     const NO_THICKNESS: Self = Self::new('T', "no thickness stops the shot");
     /// Every thickness of the numerical envelope stops the shot: for a preloaded mechanism, or a light plate of given face.
     const EVERY_THICKNESS: Self =
-        Self::new('T', "even the thinnest plate within the model's range stops the shot")
+        Self::new('E', "even the thinnest plate within the model's range stops the shot")
             .with(": there is no least thickness");
     /// Runs with plates near the minimum thickness end undecided at any horizon.
     const UNDECIDED: Self = Self::new('?', "least thickness not decided")
@@ -198,5 +198,27 @@ fn min_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Abse
     match edge(thin, (thick, ShotOutcome::Stopped), width, look).ok_or(Absence::NO_THICKNESS)?.1 {
         (_, ShotOutcome::Undecided) => Err(Absence::UNDECIDED),
         (thick, _) => Ok((thick, try_out(thick)?)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::testing::scene;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_reason_has_a_letter_of_its_own() {
+        let reasons = [
+            Absence::NO_SOLID,
+            Absence::NO_THICKNESS,
+            Absence::EVERY_THICKNESS,
+            Absence::UNDECIDED,
+            Absence::STACK,
+            Absence::NOTHING_STOPS,
+            Absence::NO_SPRING_MASS,
+        ];
+        let letters: BTreeSet<char> = reasons.iter().map(|it| it.letter).chain(['F']).collect();
+        assert_eq!(letters.len(), reasons.len() + 1, "{letters:?}");
     }
 }
