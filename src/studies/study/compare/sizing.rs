@@ -171,13 +171,16 @@ fn min_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Abse
         .filter(|_| scene.is_sprung())
         .map_or(solid, |free_m| free_m / thickness_m);
     let (mut thin, mut thick) = (free * (1.0 - width), solid * (1.0 + width));
-    let mut widened = 0;
+    let (mut widened, mut absence) = (0, Absence::NO_THICKNESS);
     loop {
-        match try_out(thick)?.verdict {
+        let Some(shot) = shoot(scaled(scene, thick)) else { return Err(absence) };
+        match shot.verdict {
             ShotOutcome::Stopped => break,
-            _ if widened == WIDENED_MAX => return Err(Absence::NO_THICKNESS),
             ShotOutcome::Perforated => thin = thick,
-            ShotOutcome::Undecided => {}
+            ShotOutcome::Undecided => absence = Absence::UNDECIDED,
+        }
+        if widened == WIDENED_MAX {
+            return Err(absence);
         }
         widened += 1;
         thick *= 2.0;
@@ -220,5 +223,14 @@ mod tests {
         ];
         let letters: BTreeSet<char> = reasons.iter().map(|it| it.letter).chain(['F']).collect();
         assert_eq!(letters.len(), reasons.len() + 1, "{letters:?}");
+    }
+
+    /// The energies of the cocked spring and of the shot, k d^1.3/1.3 = 7.9 kJ and 0.015 J, are those of a hole of 0.41 m against pi R² `S_y`
+    /// alone: a thicker plate is not perforated, whether or not its run ends undecided.
+    #[test]
+    fn shots_that_end_undecided_do_not_rule_out_a_thickness() {
+        let scene = scene("interface=plastic k=1e7 n=0.3 d=5mm v_i=1");
+        let found = sized(&scene, Hardware::Own, WIDTH).map(|sized| sized.areal_kg_m2);
+        assert!(found.is_ok() || found.is_err_and(Absence::is_open), "{found:?}");
     }
 }
