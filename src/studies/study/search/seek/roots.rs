@@ -154,12 +154,15 @@ impl<'f> RootScan<'f> {
 
     /// Finds the crossings along points that all have values.
     fn along(&mut self, points: &[SamplePoint]) -> Result<(), Stopped> {
-        let is_hit = |at: usize| points.get(at).is_some_and(|point| self.off(*point) == 0.0);
-        let starts = (0..points.len()).filter(|at| is_hit(*at) && (*at == 0 || !is_hit(at - 1)));
-        let ends = (0..points.len()).filter(|at| is_hit(*at) && !is_hit(at + 1));
-        let hits: Vec<(usize, usize)> = starts.zip(ends).collect();
-        for (first, last) in hits {
-            self.hit(points, first, last)?;
+        let target = self.target;
+        let is_hit = |point: &SamplePoint| point.value - target == 0.0;
+        let mut end = 0;
+        for alike in points.chunk_by(|a, b| is_hit(a) == is_hit(b)) {
+            let first = end;
+            end += alike.len();
+            if is_hit(&alike[0]) {
+                self.hit(points, first, end - 1)?;
+            }
         }
         let crosses = |pair: &&[SamplePoint]| self.off(pair[0]) * self.off(pair[1]) < 0.0;
         let brackets: Vec<&[SamplePoint]> = points.windows(2).filter(crosses).collect();
