@@ -50,9 +50,9 @@ pub fn table<'c>(name: &'c str, report: &'c SensitivityReport) -> Table<'c, usiz
         .with("outcome_at_low", "at low", "", move |at| outcome(at, 0))
         .with("output_at_high", "at high", unit, move |at| end(at, POINTS - 1)?.result)
         .with("outcome_at_high", "at high", "", move |at| outcome(at, POINTS - 1))
-        .with("least", "least", unit, move |at| Some(effect(at).range()?.0))
-        .with("greatest", "greatest", unit, move |at| Some(effect(at).range()?.1))
-        .with("swing", "swing", unit, move |at| effect(at).swing())
+        .with("least", "least", unit, move |at| Some(report.range(effect(at))?.0))
+        .with("greatest", "greatest", unit, move |at| Some(report.range(effect(at))?.1))
+        .with("swing", "swing", unit, move |at| report.swing(effect(at)))
         .field("slope", move |at| effect(at).slope)
         .field("points", move |at| effect(at).computed())
 }
@@ -141,7 +141,7 @@ fn range_words(effect: &Effect, shown: &Shown<'_>) -> String {
 
 /// Formats the minimum and maximum result: `4.27 to 6.49 mm`.
 fn span(report: &SensitivityReport, effect: &Effect) -> Option<String> {
-    let (least, greatest) = effect.range()?;
+    let (least, greatest) = report.range(effect)?;
     let [least, greatest] = [least, greatest].map(|value| report.output.show(value, 3));
     Some(format!("{} to {greatest}", without_common_unit(least, &greatest)))
 }
@@ -157,8 +157,8 @@ pub fn slope_words(
     let size = if own == 0.0 { 0.1 * (high - low).abs() } else { own.abs() };
     let step = 10f64.powf((shown.in_one * size).log10().floor() - 1.0);
     let by = slope * step / shown.in_one;
-    let result = report.own.and_then(|own| own.result);
-    let by = if by.abs() < result.map_or(0.0, |it| ROUNDING * it.abs()) { 0.0 } else { by };
+    let by =
+        if by.abs() < report.own_result().map_or(0.0, |it| ROUNDING * it.abs()) { 0.0 } else { by };
     if by == 0.0 {
         let step = format!("{} {}", significant(step, 1), shown.unit);
         return Some(format!("{} for +{}", report.output.show(0.0, 2), step.trim_end()));

@@ -90,8 +90,6 @@ pub struct Effect {
     pub axis: Axis,
     /// Value of the variable in the scene, in the stored unit.
     pub own: Option<f64>,
-    /// Result of the unchanged scene.
-    pub own_result: Option<f64>,
     /// Results at [`POINTS`] points, evenly spaced on the scale of the axis; `None` if not computed.
     pub points: [Option<Value>; POINTS],
     /// Derivative of the result with respect to the variable at its value in the scene.
@@ -102,25 +100,6 @@ impl Effect {
     /// Returns the number of computed points.
     pub fn computed(&self) -> usize {
         self.points.iter().flatten().count()
-    }
-
-    /// Iterates over the results that exist: at the points from the low end to the high end, then of the scene itself if its value is within.
-    /// The scene alone is no row: before the first point there are none.
-    pub fn results(&self) -> impl Iterator<Item = f64> {
-        let is_row = self.computed() > 0 && self.own_cell(1).is_some();
-        let own = self.own_result.filter(|_| is_row);
-        self.points.iter().flatten().filter_map(|it| it.result).chain(own)
-    }
-
-    /// Returns the minimum and maximum result; `None` without results.
-    pub fn range(&self) -> Option<(f64, f64)> {
-        let least = self.results().reduce(smaller)?;
-        Some((least, self.results().reduce(larger)?))
-    }
-
-    /// Returns the difference between the maximum and minimum result.
-    pub fn swing(&self) -> Option<f64> {
-        self.range().map(|(least, greatest)| greatest - least)
     }
 
     /// Returns `true` if a shot of the row perforates.
@@ -180,20 +159,44 @@ pub struct SensitivityReport {
 }
 
 impl SensitivityReport {
+    /// Returns the result of the unchanged scene.
+    pub fn own_result(&self) -> Option<f64> {
+        self.own?.result
+    }
+
+    /// Iterates over the results of a row that exist: at the points from the low end to the high end, then of the scene itself if its value is
+    /// within. The scene alone is no row: before the first point there are none.
+    pub fn results(&self, effect: &Effect) -> impl Iterator<Item = f64> {
+        let is_row = effect.computed() > 0 && effect.own_cell(1).is_some();
+        let own = self.own_result().filter(|_| is_row);
+        effect.points.iter().flatten().filter_map(|it| it.result).chain(own)
+    }
+
+    /// Returns the minimum and maximum result of a row; `None` without results.
+    pub fn range(&self, effect: &Effect) -> Option<(f64, f64)> {
+        let least = self.results(effect).reduce(smaller)?;
+        Some((least, self.results(effect).reduce(larger)?))
+    }
+
+    /// Returns the difference between the maximum and minimum result of a row.
+    pub fn swing(&self, effect: &Effect) -> Option<f64> {
+        self.range(effect).map(|(least, greatest)| greatest - least)
+    }
+
     /// Returns `true` if the output exists at no point.
     pub fn is_empty(&self) -> bool {
-        self.effects.iter().all(|effect| effect.results().next().is_none())
+        self.effects.iter().all(|effect| self.results(effect).next().is_none())
     }
 
     /// Returns the indices of the effects, sorted by decreasing difference.
     pub fn order(&self) -> Vec<usize> {
-        let swing = |at: usize| self.effects[at].swing().unwrap_or(-1.0);
+        let swing = |at: usize| self.swing(&self.effects[at]).unwrap_or(-1.0);
         sorted_by((0..self.effects.len()).collect(), |at| -swing(*at))
     }
 
     /// Returns the upper end of the common scale of all rows, which starts at zero: the 95th percentile of all results.
     pub fn scale(&self) -> Option<f64> {
-        let sizes = self.effects.iter().flat_map(Effect::results).map(f64::abs);
+        let sizes = self.effects.iter().flat_map(|effect| self.results(effect)).map(f64::abs);
         let sorted = sorted_by(sizes.collect::<Vec<f64>>(), |size| *size);
         (!sorted.is_empty()).then(|| quantile(&sorted, SCALE_PERCENTILE)).filter(|top| *top > 0.0)
     }
@@ -274,7 +277,7 @@ pub fn compute(
     let plans: Vec<Plan> = axes.iter().map(plan).collect::<Result<_, _>>()?;
     let effect = |axis: Axis| {
         let own = axis.get(scene);
-        Effect { axis, own, own_result: None, points: [None; POINTS], slope: None }
+        Effect { axis, own, points: [None; POINTS], slope: None }
     };
     let effects: Vec<Effect> = axes.into_iter().map(effect).collect();
     let mut report = SensitivityReport { output, own: None, effects, outside_at_ends: Vec::new() };
@@ -282,8 +285,6 @@ pub fn compute(
     if let Some(plan) = plans.first() {
         let own = plan.evaluate_all(&[plan.design_of(scene)], context);
         report.own = own.first().map(Value::from_point);
-        let result = report.own.and_then(|own| own.result);
-        report.effects.iter_mut().for_each(|effect| effect.own_result = result);
     }
     for (number, round) in ROUNDS.iter().enumerate() {
         if number == ROUNDS_BEFORE_SLOPES && !slopes(scene, &plans, &mut report, context) {
@@ -324,6 +325,7 @@ fn slopes(
     report: &mut SensitivityReport,
     context: &mut Context<'_, SensitivityReport>,
 ) -> bool {
+    let own_result = report.own_result();
     for (plan, effect) in plans.iter().zip(&mut report.effects) {
         let Some(own) = effect.own else { continue };
         let (low, high) = effect.axis.ends();
@@ -345,7 +347,7 @@ fn slopes(
         let found = plan.evaluate_all(&places.map(|value| vec![value]), context);
         let value = |at: usize| found.get(at).and_then(|point| Value::from_point(point).result);
         effect.slope =
-            value(0).zip(value(1)).zip(effect.own_result).map(|((first, second), own)| {
+            value(0).zip(value(1)).zip(own_result).map(|((first, second), own)| {
                 match (is_below, is_above) {
                     (true, true) => (second - first) / (2.0 * step),
                     (false, _) => (4.0 * first - second - 3.0 * own) / (2.0 * step),

@@ -34,7 +34,7 @@ fn the_range_of_a_row_holds_the_result_of_the_scene() {
     let report = computed("interface=plastic", &Request::default());
     let own = report.own.unwrap().result.unwrap();
     for effect in &report.effects {
-        let (least, most) = effect.range().unwrap();
+        let (least, most) = report.range(effect).unwrap();
         assert!(least <= own && own <= most, "{}: {least} {own} {most}", effect.axis.symbol());
     }
     // A range beside the scene's value does not contain the scene.
@@ -42,7 +42,8 @@ fn the_range_of_a_row_holds_the_result_of_the_scene() {
         over: vec![Axis::new("v_i", (200.0, 300.0), 2, Spacing::Linear).unwrap()],
         output: None,
     };
-    assert!(computed("", &beside).effects[0].range().unwrap().0 > own);
+    let beside = computed("", &beside);
+    assert!(beside.range(&beside.effects[0]).unwrap().0 > own);
 }
 
 /// Every point equals the depth of a single run, including perforations and both ends.
@@ -113,7 +114,6 @@ fn a_study_that_is_stopped_has_the_ends_of_all_rows_first() {
 #[test]
 fn cells_are_the_middles_of_equal_parts() {
     let mut effect = Effect {
-        own_result: None,
         axis: Axis::new("gamma", (1.0, 9.0), 2, Spacing::Linear).unwrap(),
         own: Some(9.0),
         points: [None; POINTS],
