@@ -306,10 +306,10 @@ fn has_fused_stop(scene: &Scene) -> bool {
         && Mechanism::from_scene(scene).rigid_stop().is_some()
 }
 
-/// Counts the impacts on a rigid stop under a fused interface; `None` for a scene without such a stop.
-pub fn fused_stop_hits(run: &Run) -> Option<usize> {
-    let hits = || run.events.iter().filter(|event| event.kind == EventKind::StopHit).count();
-    has_fused_stop(&run.scene).then(hits)
+/// Returns whether a rigid stop is hit under a fused interface; `None` for a scene without such a stop.
+pub fn hits_fused_stop(run: &Run) -> Option<bool> {
+    let is_hit = || run.events.iter().any(|event| event.kind == EventKind::StopHit);
+    has_fused_stop(&run.scene).then(is_hit)
 }
 
 /// Returns the breaches of a run, in the order of the table: those of its scene, and those of the loads of stop, spring and interface. For
@@ -341,7 +341,7 @@ fn behind(run: &Run) -> impl Iterator<Item = (String, &Run)> {
 /// Returns the breaches of the run of one plate.
 fn of_plate(run: &Run) -> Vec<Breach> {
     let mut found = of_scene(&run.scene);
-    if fused_stop_hits(run) == Some(0) {
+    if hits_fused_stop(run) == Some(false) {
         found.retain(|breach| breach.check != Check::Stop);
     }
     let mut add = |check, degree, (value, meaning)| {

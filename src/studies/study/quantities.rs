@@ -262,7 +262,7 @@ pub static QUANTITIES: &[Quantity] = &[
         .by_contact(Displacement(|it, scene| mount::force_n(scene, it.max_displacement_m))).at_least(mount::min_peak_n).short("mount force"),
     quantity("mount_impulse_n_s", Impulse, "impulse into the mount along the plate's normal, up to the greatest displacement; known of model = hydrodynamic alone", Source::Course(|run| impulse_n_s(run).filter(|_| !run.series.is_empty()))),
     quantity("travel_margin", Number, "travel of a spring up to yield or the end of its law, over its greatest travel", Source::Run(travel_margin)),
-    quantity("fused_stop_hits", Number, "hits on a rigid stop under a fused interface, which cannot carry them", Source::Run(|run| envelope::fused_stop_hits(run).map(|hits| hits as f64))),
+    quantity("fused_stop_hit", Number, "1 where a rigid stop is hit under a fused interface, which cannot carry the blow, else 0", Source::Run(|run| envelope::hits_fused_stop(run).map(|is_hit| f64::from(u8::from(is_hit))))),
     quantity("plate_mass_kg", Mass, "mass of the plate: gamma times that of the projectile", Source::Scene(|scene| Some(scene.plate_mass_kg()))),
     quantity("least_spring_mass_kg", Mass, "least mass of the springs for the greatest energy stored, by e_spring or of coils; not known of other springs", Source::Run(|run| mount::min_spring_kg(&run.scene, run.displacements_m())))
         .by_contact(Displacement(|it, scene| mount::min_spring_kg(scene, it.displacements_m()))).is(&[CountsSprings]),

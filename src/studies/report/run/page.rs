@@ -192,7 +192,7 @@ pub fn results(run: &Run) -> Vec<Labelled> {
     let words = if nothing_stops_it { " at the horizon, moving on" } else { "" };
     let displacement = displacement.map(|it| it + words);
     let displacement = displacement.or_else(|| (!is_known).then(|| none.to_owned()));
-    let push = if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
+    let push = if envelope::hits_fused_stop(run) == Some(true) {
         Some("unbounded at the rigid stop".to_owned())
     } else {
         rounded(run.interface.demand_ratio, " of its strength A S_y")

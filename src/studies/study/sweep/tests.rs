@@ -89,7 +89,7 @@ fn the_value_of_an_output_does_not_depend_on_the_others() {
 /// The cocked spring drives the plate onto the stop; a rigid one takes the blow in no time.
 #[test]
 fn valid_a_row_and_its_warnings_know_the_hit_on_a_stop_where_a_cocked_plate_comes_to_rest() {
-    let outputs = ["peak_mount_force_n", "fused_stop_hits"];
+    let outputs = ["peak_mount_force_n", "fused_stop_hit"];
     for pairs in ["d=0.1 x_stop=0 e=0", "d=0.1 x_stop=-50mm e=0"] {
         let plan = Plan::new(&scene(pairs), vec![axis("v_i", 100.0, 101.0, 2)], &outputs).unwrap();
         assert_eq!(points(&plan)[0].values, [None, Some(1.0)], "{pairs}");

@@ -168,7 +168,7 @@ fn plastic(run: &Run) -> Option<String> {
         matches!(it, RunWarning::InterfacePush { .. } | RunWarning::InterfacePull { .. })
     };
     let fails = run.warnings.iter().any(is_exceeded);
-    let is_hit = envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0);
+    let is_hit = envelope::hits_fused_stop(run) == Some(true);
     let plastic = run.plastic.as_ref().filter(|_| fails || is_hit)?;
     if plastic.outcome == Outcome::Perforated {
         return Some(through(plastic));
@@ -177,7 +177,7 @@ fn plastic(run: &Run) -> Option<String> {
 }
 
 fn peak(run: &Run) -> String {
-    if envelope::fused_stop_hits(run).is_some_and(|hits| hits > 0) {
+    if envelope::hits_fused_stop(run) == Some(true) {
         return "fused: unbounded at the stop".to_owned();
     }
     run.peak_contact_force_n.map_or_else(
