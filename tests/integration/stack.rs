@@ -239,3 +239,13 @@ fn the_error_of_a_stack_is_that_of_its_least_known_plate() {
     let shown = quantities::find("error_estimate").unwrap().value(&found);
     assert_eq!(shown, Some(greatest));
 }
+
+/// The verdict is that of the shot, and stands above what is of the first element alone.
+#[test]
+fn the_verdict_of_a_stack_stands_above_its_first_element() {
+    let sets = ["elements=2", "h=5mm", "h_base=5mm", "v_i=200", "interface=plastic"];
+    let (page, _) = says("run", &sets.map(|set| ["--set", set]).concat(), 0);
+    let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("{words}: {page}"));
+    assert!(at("by the law alone") < at("element 1 in full:"), "{page}");
+    assert_eq!(page.matches("by the law alone").count(), 1, "{page}");
+}

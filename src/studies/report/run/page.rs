@@ -393,10 +393,13 @@ pub fn page(name: &str, run: &Run, with: Option<&Traces>, has_charts: bool) -> P
     let mut page = Page::new(titled(name, &run.scene));
     if run.stack.is_some() {
         page.blocks.extend(stack::blocks(run));
+        page.line(verdict::of_run(run));
         page.heading("element 1 in full:");
     }
     page.line(sentence(run));
-    page.line(verdict::of_run(run));
+    if run.stack.is_none() {
+        page.line(verdict::of_run(run));
+    }
     page.space();
     page.blocks.extend(labelled(results(run)));
     page.push(Block::Warnings(envelope::warnings(run)));

@@ -19,15 +19,20 @@ pub fn blocks(run: &Run) -> Vec<Block> {
     if left > 0 {
         blocks.push(Block::Line(format!("{left} more behind, not reached")));
     }
-    let forces =
-        run.plates().enumerate().filter_map(|(plate, run)| Some((peak_n(run)?, stack.name(plate))));
-    // The first of equal ones.
-    let greatest = forces.reduce(|most, other| if other.0 > most.0 { other } else { most });
-    if let Some((force_n, plate)) = greatest {
+    if let Some((force_n, plate)) = peak_mount_n(run) {
         let force = units::engineering(force_n, "N", 4);
         blocks.push(Block::Line(format!("peak mount force of a plate: {force}, {plate}")));
     }
     blocks
+}
+
+/// Returns the greatest force on a mount of a stack, N, and the name of its plate; `None` for a single plate.
+pub fn peak_mount_n(run: &Run) -> Option<(f64, String)> {
+    let stack = run.stack.as_ref()?;
+    let forces =
+        run.plates().enumerate().filter_map(|(plate, run)| Some((peak_n(run)?, stack.name(plate))));
+    // The first of equal ones.
+    forces.reduce(|most, other| if other.0 > most.0 { other } else { most })
 }
 
 fn table(first: &Run, stack: &StackRun) -> Vec<Cells> {
