@@ -6,6 +6,7 @@ use serde_json::{Map as Object, Value, json};
 use crate::report::chart::levels::Levels;
 use crate::report::figures::map_over;
 use crate::report::map::{self, Cell, MapMark, Tone};
+use crate::report::run::lower_bounds;
 use crate::report::table::{Cells, Table, listed};
 use crate::report::verdict::{self, expected_columns};
 use crate::study::compare::map::Map;
@@ -470,6 +471,11 @@ fn limits(report: &ComparisonReport) -> Vec<String> {
         lines.extend(entry.no_limit().map(|absence| format!("{word}: {absence}")));
         if !entry.is_held {
             lines.push(format!("{word}: nothing stops plate and projectile"));
+        }
+        if entry.candidate == Candidate::Scene && lower_bounds(&entry.run).next().is_some() {
+            lines.push(format!(
+                "{word}: the run ends undecided; `cmra run` has lower bounds of what is missing"
+            ));
         }
     }
     lines

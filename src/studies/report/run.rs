@@ -179,6 +179,11 @@ fn with_results(mut object: Value, run: &Run) -> Value {
     object
 }
 
+/// Iterates over the results that are lower bounds, since the run ended before they were final.
+pub fn lower_bounds(run: &Run) -> impl Iterator<Item = &'static str> {
+    of_runs().filter(|it| it.lower_bound(run).is_some()).map(|it| it.name)
+}
+
 /// Writes a run of a named scene as a JSON object in reading order; `beside` adds the differences from traces.
 pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     let scene = &run.scene;
@@ -201,8 +206,7 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
     let is_searched = verdict.limit_m_s.is_none();
     object["no_limit"] =
         is_searched.then_some("no closed form: `cmra limit` searches it by many shots").into();
-    let bounds = of_runs().filter(|quantity| quantity.lower_bound(run).is_some());
-    object["lower_bounds"] = bounds.map(|quantity| quantity.name).collect();
+    object["lower_bounds"] = lower_bounds(run).collect();
     object["penetration_at_most_m"] = run.penetration.at_most_m.into();
     object["nose_protrusion_m"] = run.protrusion_m().into();
     let basis = run.estimate.basis.map(|basis| match basis {
@@ -331,10 +335,6 @@ mod tests {
         Sample { t_s, mode, penetration_m, ..Sample::default() }
     }
 
-    /// The push of a fused interface is unbounded at a rigid stop; the force of the contact is not.
-    #[test]
-    fn the_peak_of_a_comparison_is_that_of_the_page() {
-        let run = run_of("x_stop=5mm");
     /// Results of one plate do not exist for a stack, and the mount that is loaded most is known.
     #[test]
     fn a_stack_has_the_mount_force_of_its_plate_with_the_greatest() {
@@ -346,6 +346,10 @@ mod tests {
         assert_eq!(shown, fixed_significant(greatest_kn, 4));
     }
 
+    /// The push of a fused interface is unbounded at a rigid stop; the force of the contact is not.
+    #[test]
+    fn the_peak_of_a_comparison_is_that_of_the_page() {
+        let run = run_of("x_stop=5mm");
         let table = comparison([("now".to_owned(), Ok(&run))]);
         let peak = &table.cells(&["peak_contact_force_n"])[0].cells[0];
         assert_eq!(*peak, fixed_significant(1e-3 * run.peak_contact_force_n.unwrap(), 4));

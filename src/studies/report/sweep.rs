@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use crate::report::figures::sweeps::picture;
 use crate::report::page::{CHART, MAP, Page};
+use crate::report::run::lower_bounds;
 use crate::report::table::{Table, listed, pretty, texts};
 use crate::report::verdict;
 use crate::study::context::Reach;
@@ -99,7 +100,8 @@ impl SweepWriter<'_> {
         runs: &'t [Option<Run>],
     ) -> Table<'t, usize> {
         let is_all = self.columns == Columns::All;
-        let run = |row: &usize| runs[*row].as_ref();
+        // None without all columns.
+        let run = |row: &usize| runs.get(*row)?.as_ref();
         let mut table = Table::new(0..points.len());
         for (at, axis) in self.plan.axes().iter().enumerate() {
             let value = move |row: &usize| self.plan.coordinate(points[*row], at);
@@ -121,7 +123,8 @@ impl SweepWriter<'_> {
             table = table.field("end", move |row| Some(run(row)?.end.words()));
         }
         for (at, output) in self.plan.outputs().iter().enumerate() {
-            let value = move |row: &usize| found[*row].values[at];
+            let bound = move |row: &usize| output.lower_bound(run(row)?);
+            let value = move |row: &usize| found[*row].values[at].or_else(|| bound(row));
             table = table.field(output.name, value);
         }
         if is_all {
@@ -131,6 +134,9 @@ impl SweepWriter<'_> {
                 table = table.field(key, move |row| verdict::object(&verdicts[*row])[key].clone());
             }
             table = table
+                .field("lower_bounds", move |row| {
+                    Some(lower_bounds(run(row)?).collect::<Vec<_>>().join("; "))
+                })
                 .field("method", move |row| Some(run(row)?.cost.method))
                 .field("omitted", move |row| Some(run(row)?.omitted.join("; ")))
                 .field("warnings", move |row| Some(listed(&envelope::warnings(run(row)?))));
