@@ -184,6 +184,16 @@ fn every_label_of_a_page_is_explained() {
 }
 
 /// By the name that begins its line below a run; a name that a variable has, too, explains both.
+/// What turns a geared mass is in the result alone: 5.6 kN of a helix whose greatest row has 3.5 kN.
+#[test]
+fn a_mount_force_says_what_the_rows_have_of_it() {
+    let (page, _) = says("explain", &["mount force"], 0);
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(page.contains("rows of a CSV are without that"), "{page}");
+    let (page, _) = says("help", &["csv"], 0);
+    assert!(page.contains("turns a geared mass"), "{page}");
+}
+
 #[test]
 fn a_warning_is_explained_by_its_name() {
     let (page, _) = says("run", &[], 0);

@@ -41,7 +41,7 @@ pub(super) const WORDS: &[Entry] = &[
     ),
     (
         &["mount", "mount force"],
-        "maximum force of spring, damper and stop on the mount (peak_mount_force_n)",
+        "maximum force on the mount, with what turns a geared mass (peak_mount_force_n); its chart and the rows of a CSV are without that",
     ),
     (
         &[
