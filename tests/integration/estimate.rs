@@ -230,7 +230,8 @@ fn the_time_of_an_exit_just_above_the_rigid_limit_is_right_to_rounding() {
         let run = run.unwrap();
         let error = (run.departure.exit_time_s.unwrap() / EXIT_TIME_S - 1.0).abs();
         let estimate = run.estimate.main.unwrap();
-        assert!(error < 1e-13, "{error:e}");
+        // Rounding grows by the square of 232.7 m/s over the residual velocity.
+        assert!(error < 3e-13, "{error:e}");
         assert!(error <= BELOW * estimate, "{error:e} {estimate:e}");
     }
 }

@@ -60,7 +60,8 @@ fn passages(run: &Run, n: f64, mass: f64) -> Vec<(f64, f64)> {
 #[test]
 fn undamped_plates_swing_in_the_time_of_the_closed_form() {
     for (n, beta) in EXPONENTS {
-        let told = format!("n={n} k={STIFFNESS} d=0.002 run.horizon_s={WATCHED_S}");
+        // A stop, which is out of reach, leaves the motion to the integrator.
+        let told = format!("n={n} k={STIFFNESS} d=0.002 x_stop=1000 run.horizon_s={WATCHED_S}");
         let own = scene(&told);
         let mass = own.projectile.mass_kg + own.plate_mass_kg();
         let found = run(own);

@@ -1,8 +1,8 @@
 //! Swing of fused bodies on an undamped power law from one event to the next, by the balance of energy.
 //!
-//! Between the slips of a plastic interface nothing but the spring acts. With the energy E the next event is known: the limit load of the
-//! interface, the turning point, or the singular zero of the spring. With k |x|^(n+1)/(n+1) = E sin² of the phase, the velocity is in
-//! proportion to its cosine, and the time is an incomplete beta function.
+//! Between the slips of a plastic interface, and always on a rigid one, nothing but the spring acts. With the energy E the next event is
+//! known: the limit load of the interface, the turning point, or the singular zero of the spring. With k |x|^(n+1)/(n+1) = E sin² of the
+//! phase, the velocity is in proportion to its cosine, and the time is an incomplete beta function.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -33,7 +33,7 @@ pub(super) struct FusedSwing {
 }
 
 impl Equations<'_> {
-    /// Returns the swing from a state on, up to the horizon; `None` unless a power law alone acts on fused bodies that can slip.
+    /// Returns the swing from a state on, up to the horizon; `None` unless a power law alone acts on fused bodies.
     pub(super) fn fused_swing(&self, state: &State, horizon_s: f64) -> Option<FusedSwing> {
         let Equations { setup, mode } = self;
         let is_stepped = !matches!(
@@ -41,7 +41,7 @@ impl Equations<'_> {
             IntegrationMethod::Collocation(_) | IntegrationMethod::Second(_)
         );
         let is_fused = mode.contact == Contact::Fused && mode.hold == PlateConstraint::Free;
-        if !(setup.interface.is_plastic && is_fused) || is_stepped {
+        if !is_fused || is_stepped {
             return None;
         }
         let law = setup.spring.power().filter(|law| !law.is_absent())?;
@@ -65,7 +65,7 @@ impl Equations<'_> {
         let limit = (law.integral(limit_m) / energy_j).sqrt();
         let (event, to) = if from < 0.0 && !law.is_smooth_at_zero() {
             (knot, 0.0)
-        } else if limit < 1.0 {
+        } else if setup.interface.is_plastic && limit < 1.0 {
             (slips, larger(limit.asin(), from))
         } else {
             (Event::SpeedZero, FRAC_PI_2)

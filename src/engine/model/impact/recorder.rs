@@ -8,7 +8,7 @@ use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::free_oscillation::FreeOscillation;
 use crate::model::impact::fused_swing::FusedSwing;
-use crate::model::impact::loads::{COMPRESSION_TENSION_SIGNS, Loads};
+use crate::model::impact::loads::{COMPRESSION_TENSION_SIGNS, Loads, first_exceeded_s};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::{ImpactParameters, Masses};
 use crate::model::impact::resolution::RESOLUTION;
@@ -18,7 +18,6 @@ use crate::model::impact::zero_passage::ZeroPassage;
 use crate::model::run::{
     Arrest, Cost, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Parting, Sample,
 };
-use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::quadrature::GAUSS_10;
 use crate::numerics::{larger, smaller};
 
@@ -120,12 +119,14 @@ impl Recorder {
         self.loads.fastest_m_s = larger(swing.greatest_m_s(), self.loads.fastest_m_s);
         let [from_n, to_n] = [from, to].map(|state| equations.mechanism_n(state.x_m, 0.0));
         let most_n = [larger(from_n, to_n), larger(-from_n, -to_n)];
-        self.note_loads(equations, to, most_n, |_| None);
+        let by_time = self.every_s.is_some();
+        let at = |part: f64| if by_time { swing.at_time(part) } else { swing.at(part) };
+        let path = || DenseOutput::new(&at);
+        let first_s = |direction| Some(first_exceeded_s(equations, &path(), direction));
+        self.note_loads(equations, to, most_n, first_s);
         self.reach(equations, to);
         if self.keep_series {
-            let by_time = self.every_s.is_some();
-            let at = |part: f64| if by_time { swing.at_time(part) } else { swing.at(part) };
-            self.draw(equations, &DenseOutput::new(&at));
+            self.draw(equations, &path());
         }
     }
 
@@ -238,20 +239,8 @@ impl Recorder {
                 COMPRESSION_TENSION_SIGNS[direction] * force_n(state)
             })
         });
-        let first_s = |direction: usize| {
-            let gap_n = |state: &State| {
-                equations.limit_load_ratios()[direction] * equations.strength_n(path.end())
-                    - COMPRESSION_TENSION_SIGNS[direction]
-                        * (equations.setup.interface_fraction() * force_n(state)
-                            + equations.carried_weight_n())
-            };
-            let gaps_n = path.looks.each_ref().map(gap_n);
-            match first_crossing(&[gaps_n], true, |part, _| gap_n(&path.at(part))) {
-                EventSearch::Fall(_, part) => path.at(part).t_s,
-                EventSearch::Nothing | EventSearch::Unresolved(_) => path.end().t_s,
-            }
-        };
-        self.note_loads(equations, path.end(), greatest_n, |direction| Some(first_s(direction)));
+        let first_s = |direction| Some(first_exceeded_s(equations, path, direction));
+        self.note_loads(equations, path.end(), greatest_n, first_s);
     }
 
     /// Records the peak forces of the mechanism forwards and backwards, N, and if known the time at which they first exceed the limit loads

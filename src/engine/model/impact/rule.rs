@@ -114,7 +114,7 @@ mod tests {
             "n=3 m=1.3065 k=2.8213e5 b=237.52 d=0.38801 gamma=1.8898 v_i=7.7698 h=2.7148mm S_y=21.236MPa",
             BUDGET,
         ),
-        (Rule::SpringTurns, "gamma=1 k=1e5", Difference::Work(1.5)),
+        (Rule::SpringTurns, "gamma=1 spring=bistable", Difference::Work(1.5)),
         (
             Rule::Creep,
             "m=0.5025 k=8.2383e3 b=712.45 gamma=13.1374 v_i=15.8984 n=1.861 interface=plastic g=0 d=0.092 x_stop=0.0347",
