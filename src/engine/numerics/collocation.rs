@@ -44,7 +44,7 @@ const TARGET_ERROR_NORM: f64 = 0.5;
 /// Largest step-size factor after an accepted step.
 const GROWTH_MAX: f64 = 4.0;
 /// Smallest and largest step-size factor after a rejected step.
-const CUT: (f64, f64) = (0.1, 0.7);
+const CUT: (f64, f64) = (0.1, 0.8);
 /// Step-size factor after a step whose stage equations did not converge.
 const AFTER_FAILURE: f64 = 0.25;
 /// Coefficient of the filter of the error estimate. The real eigenvalue of A with nine stages is near 0.1: the filter damps stiff
