@@ -7,13 +7,14 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::model::impact::equations::Equations;
+use crate::model::impact::loads::COMPRESSION_TENSION_SIGNS;
 use crate::model::impact::method::IntegrationMethod;
 use crate::model::impact::modes::{Contact, Event, PlateConstraint};
 use crate::model::impact::state::State;
 use crate::model::power_law::sign;
 use crate::numerics::incomplete_beta::incomplete_beta;
-use crate::numerics::larger;
 use crate::numerics::root::bracketed_root;
+use crate::numerics::{larger, smaller};
 
 /// Swing in one direction, from a phase to another; the phase is -pi/2 at a turning point and pi/2 at the next.
 #[derive(Debug)]
@@ -21,6 +22,8 @@ pub(super) struct FusedSwing {
     start: State,
     from: f64,
     to: f64,
+    /// Phase at which the interface reaches its limit load in this direction, or a turning point.
+    limit: f64,
     /// Time from the zero of the spring to the start, s.
     from_s: f64,
     /// Event at its end; `None` if it ends at the horizon.
@@ -62,11 +65,12 @@ impl Equations<'_> {
             (Event::PullLimit, pull_n, Event::KnotBehind)
         };
         let limit_m = law.at_force(limit_n / setup.interface_fraction());
-        let limit = (law.integral(limit_m) / energy_j).sqrt();
+        let limit_j = smaller(law.integral(limit_m), energy_j);
+        let limit = larger((limit_j / energy_j).sqrt().asin(), from);
         let (event, to) = if from < 0.0 && !law.is_smooth_at_zero() {
             (knot, 0.0)
-        } else if setup.interface.is_plastic && limit < 1.0 {
-            (slips, larger(limit.asin(), from))
+        } else if setup.interface.is_plastic && limit_j < energy_j {
+            (slips, limit)
         } else {
             (Event::SpeedZero, FRAC_PI_2)
         };
@@ -74,6 +78,7 @@ impl Equations<'_> {
             start: *state,
             from,
             to,
+            limit,
             from_s: 0.0,
             event: Some(event),
             far_m: direction * law.at_integral(energy_j),
@@ -111,6 +116,13 @@ impl FusedSwing {
     /// Returns the state at the end.
     pub(super) fn end(&self) -> State {
         self.state(self.to)
+    }
+
+    /// Returns the time at which the interface is first loaded beyond a limit load forwards (0) or backwards (1), s. Against the direction
+    /// of motion it is loaded most at the start.
+    pub(super) fn first_exceeded_s(&self, way: usize) -> f64 {
+        let is_ahead = COMPRESSION_TENSION_SIGNS[way] * self.fastest_m_s > 0.0;
+        if is_ahead { self.state(self.limit).t_s } else { self.start.t_s }
     }
 
     /// Returns the phase at a time, s.

@@ -3,7 +3,6 @@
 use std::array;
 
 use crate::model::contact_models::ContactLaw;
-use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::Contact;
 use crate::model::impact::resolution::{NEGLIGIBLE, RESOLUTION};
@@ -11,7 +10,6 @@ use crate::model::impact::results::ImpactRun;
 use crate::model::impact::state::State;
 use crate::model::mechanism::load;
 use crate::model::run::EventKind;
-use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::{larger, smaller};
 
 /// Signs of the mechanism's force for compression and tension of the interface.
@@ -63,27 +61,6 @@ impl Equations<'_> {
     pub(super) fn joint_n(&self, state: &State) -> Option<f64> {
         let is_joined = self.mode.contact == Contact::Fused && self.setup.law == ContactLaw::Flow;
         (is_joined && !self.plate_rests()).then(|| self.strength_n(state))
-    }
-}
-
-/// Returns the time at which the mechanism first loads a fused interface beyond a limit load within a step, s.
-pub(super) fn first_exceeded_s(
-    equations: &Equations<'_>,
-    path: &DenseOutput<'_>,
-    direction: usize,
-) -> f64 {
-    let gap_n = |state: &State| {
-        let force_n = equations.mechanism_n(state.x_m, state.w_m_s);
-        let carried_n =
-            equations.setup.interface_fraction() * force_n + equations.carried_weight_n();
-        equations.limit_load_ratios()[direction] * equations.strength_n(path.end())
-            - COMPRESSION_TENSION_SIGNS[direction] * carried_n
-    };
-    let gaps_n = path.looks.each_ref().map(gap_n);
-    match first_crossing(&[gaps_n], true, |part, _| gap_n(&path.at(part))) {
-        _ if gaps_n[0] < 0.0 => path.looks[0].t_s,
-        EventSearch::Fall(_, part) => path.at(part).t_s,
-        EventSearch::Nothing | EventSearch::Unresolved(_) => path.end().t_s,
     }
 }
 

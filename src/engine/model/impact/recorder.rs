@@ -8,7 +8,7 @@ use crate::model::impact::dense_output::DenseOutput;
 use crate::model::impact::equations::Equations;
 use crate::model::impact::free_oscillation::FreeOscillation;
 use crate::model::impact::fused_swing::FusedSwing;
-use crate::model::impact::loads::{COMPRESSION_TENSION_SIGNS, Loads, first_exceeded_s};
+use crate::model::impact::loads::{COMPRESSION_TENSION_SIGNS, Loads};
 use crate::model::impact::modes::{self, Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::{ImpactParameters, Masses};
 use crate::model::impact::resolution::RESOLUTION;
@@ -18,6 +18,7 @@ use crate::model::impact::zero_passage::ZeroPassage;
 use crate::model::run::{
     Arrest, Cost, EVERY_ROWS_MAX, EnergyLedger, Event, EventKind, Parting, Sample,
 };
+use crate::numerics::event_location::{EventSearch, first_crossing};
 use crate::numerics::quadrature::GAUSS_10;
 use crate::numerics::{larger, smaller};
 
@@ -119,14 +120,12 @@ impl Recorder {
         self.loads.fastest_m_s = larger(swing.greatest_m_s(), self.loads.fastest_m_s);
         let [from_n, to_n] = [from, to].map(|state| equations.mechanism_n(state.x_m, 0.0));
         let most_n = [larger(from_n, to_n), larger(-from_n, -to_n)];
-        let by_time = self.every_s.is_some();
-        let at = |part: f64| if by_time { swing.at_time(part) } else { swing.at(part) };
-        let path = || DenseOutput::new(&at);
-        let first_s = |direction| Some(first_exceeded_s(equations, &path(), direction));
-        self.note_loads(equations, to, most_n, first_s);
+        self.note_loads(equations, to, most_n, |way| Some(swing.first_exceeded_s(way)));
         self.reach(equations, to);
         if self.keep_series {
-            self.draw(equations, &path());
+            let by_time = self.every_s.is_some();
+            let at = |part: f64| if by_time { swing.at_time(part) } else { swing.at(part) };
+            self.draw(equations, &DenseOutput::new(&at));
         }
     }
 
@@ -239,8 +238,21 @@ impl Recorder {
                 COMPRESSION_TENSION_SIGNS[direction] * force_n(state)
             })
         });
-        let first_s = |direction| Some(first_exceeded_s(equations, path, direction));
-        self.note_loads(equations, path.end(), greatest_n, first_s);
+        let first_s = |direction: usize| {
+            let gap_n = |state: &State| {
+                equations.limit_load_ratios()[direction] * equations.strength_n(path.end())
+                    - COMPRESSION_TENSION_SIGNS[direction]
+                        * (equations.setup.interface_fraction() * force_n(state)
+                            + equations.carried_weight_n())
+            };
+            let gaps_n = path.looks.each_ref().map(gap_n);
+            match first_crossing(&[gaps_n], true, |part, _| gap_n(&path.at(part))) {
+                _ if gaps_n[0] < 0.0 => path.looks[0].t_s,
+                EventSearch::Fall(_, part) => path.at(part).t_s,
+                EventSearch::Nothing | EventSearch::Unresolved(_) => path.end().t_s,
+            }
+        };
+        self.note_loads(equations, path.end(), greatest_n, |direction| Some(first_s(direction)));
     }
 
     /// Records the peak forces of the mechanism forwards and backwards, N, and if known the time at which they first exceed the limit loads
