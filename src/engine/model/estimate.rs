@@ -40,6 +40,7 @@ fn scale(of: RunResult) -> Scale {
         | RunResult::PeakContactForce
         | RunResult::SeparationTime
         | RunResult::InterfaceDemand
+        | RunResult::InterfaceTension
         | RunResult::PeakMountForce
         | RunResult::StoredEnergy
         | RunResult::RotationalEnergy => Scale::Own,
@@ -58,7 +59,7 @@ fn left_out(of: RunResult, second: &Run, value: f64) -> f64 {
         RunResult::MaxPlateDisplacement | RunResult::Stroke => farthest_m,
         RunResult::PeakMountForce => force_n,
         // Fused bodies start with the spring's force at the arrest.
-        RunResult::InterfaceDemand => {
+        RunResult::InterfaceDemand | RunResult::InterfaceTension => {
             let at_peak = second.mechanism.peak_mount_n.map_or(0.0, |peak_n| force_n / peak_n);
             let at_arrest = second.first_arrest.map_or(0.0, |arrest| {
                 let moved_m = arrest.plate_displacement_m.abs();

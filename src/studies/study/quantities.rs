@@ -198,8 +198,9 @@ use QuantityFlag::{
 };
 use RunResult::{
     ArrestPenetration, ArrestPlateDisplacement, ArrestPlateVelocity, ArrestTime, ExitTime,
-    FinalPenetration, InterfaceDemand, MaxPlateDisplacement, PeakContactForce, PeakMountForce,
-    ResidualVelocity, RotationalEnergy, SeparationTime, SeparationVelocity, StoredEnergy, Stroke,
+    FinalPenetration, InterfaceDemand, InterfaceTension, MaxPlateDisplacement, PeakContactForce,
+    PeakMountForce, ResidualVelocity, RotationalEnergy, SeparationTime, SeparationVelocity,
+    StoredEnergy, Stroke,
 };
 
 /// Reason why there is no displacement or percentage.
@@ -250,7 +251,7 @@ pub static QUANTITIES: &[Quantity] = &[
     quantity("plate_velocity_after_m_s", Velocity, "plate velocity when projectile and plate part: as the nose is clear of the rear face, or leaves through the entry face", Source::Run(|run| run.departure.plate_velocity_m_s)).titled("plate velocity after parting").short("plate after").absent("they do not part"),
     quantity("max_plate_displacement_time_s", Time, "when the plate comes to its greatest displacement", Source::Course(Run::max_displacement_time_s)).briefly("max travel time").absent("it only comes near"),
     result(InterfaceDemand, Number, "greatest compression the fused interface carried, over its strength A S_y").titled("interface push over strength").short("push"),
-    quantity("interface_tension_ratio", Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface.tension_ratio?.min(UNBOUNDED_RATIO)))).titled("interface pull over strength").short("pull"),
+    quantity(InterfaceTension.key(), Number, "greatest tension the fused interface carries, way back included, over its strength g A S_y (1e6 without a grip)", Source::Run(|run| Some(run.interface.tension_ratio?.min(UNBOUNDED_RATIO)))).titled("interface pull over strength").short("pull"),
     quantity("energy_residual", Number, "error of the energy balance, relative to the energy at the start", Source::Run(energy_residual)).is(&[OfComputation, OfStack]),
     quantity("error_estimate", Number, "relative error estimate of the final depth", Source::Run(Run::depth_error)).is(&[OfComputation, OfStack, Estimate]),
     result(StoredEnergy, Energy, "greatest energy stored in the springs"),

@@ -19,6 +19,7 @@ labelled_enum! {
         SeparationTime = "separation_time_s",
         SeparationVelocity = "separation_velocity_m_s",
         InterfaceDemand = "interface_demand_ratio",
+        InterfaceTension = "interface_tension_ratio",
         PeakMountForce = "peak_mount_force_n",
         StoredEnergy = "stored_energy_j",
         RotationalEnergy = "rotational_energy_j",
@@ -42,6 +43,7 @@ impl RunResult {
             Self::SeparationTime => Some(run.departure.separation?.t_s),
             Self::SeparationVelocity => Some(run.departure.separation?.velocity_m_s),
             Self::InterfaceDemand => run.interface.demand_ratio,
+            Self::InterfaceTension => run.interface.tension_ratio,
             // On a rigid mount it is the contact force along the normal.
             Self::PeakMountForce => run
                 .mechanism
