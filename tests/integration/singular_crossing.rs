@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use cmra_engine::model::impact::{IntegrationMethod, step_by};
 use cmra_engine::model::run::{
-    ContactMode, EndReason, Outcome, Run, RunSnapshot, RunWarning, Sample,
+    ContactMode, EndReason, EventKind, Outcome, Run, RunSnapshot, RunWarning, Sample,
 };
 
 use crate::support::{assert_near, run, says, scene};
@@ -224,4 +224,21 @@ fn valid_an_estimate_has_the_swing_of_a_plate_that_its_spring_holds() {
     let amplitude = (4.0 * 1e-3 * mean * w_0 * turn / (std::f64::consts::PI * rate)).sqrt();
     let estimate = found.error_of("first_arrest_plate_displacement_m").unwrap();
     assert!(estimate * x >= amplitude && estimate * x < 1.5 * amplitude, "{estimate} {amplitude}");
+}
+
+/// With a damper that takes a part of some 1e-13 of the energy the swing is integrated, without one it has a closed form. Beyond the zero
+/// of the spring the interface is pulled: the projectile comes out at the same time and velocity.
+#[test]
+fn an_interface_is_pulled_by_the_spring_of_the_side_it_is_on() {
+    for n in [0.5f64, 1.5, 2.0, 4.0] {
+        let k = 4e4 / 0.02f64.powf(n);
+        let out = |b: &str| {
+            let found = run(scene(&format!("n={n} k={k} g=0.02 interface=plastic b={b}")));
+            let begins = found.events.iter().find(|event| event.kind == EventKind::PullOut);
+            (begins.unwrap().t_s, found.departure.separation.unwrap().velocity_m_s)
+        };
+        let (integrated, exact) = (out("1e-9"), out("0"));
+        assert_near(integrated.0, exact.0, 1e-9);
+        assert_near(integrated.1, exact.1, 1e-8);
+    }
 }

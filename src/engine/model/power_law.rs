@@ -49,6 +49,11 @@ impl PowerLaw {
         self.is_absent() || matches!(self.exponent, 1.0 | 3.0 | 5.0)
     }
 
+    /// Returns `true` if the law of each side of zero is analytic, beyond zero as well: see [`force_on`](Self::force_on).
+    pub fn is_smooth_on_each_side(self) -> bool {
+        self.is_smooth_at_zero() || matches!(self.exponent, 2.0)
+    }
+
     /// Returns the force at `z`, which can be infinite.
     pub fn force(self, z: f64) -> f64 {
         if self.is_absent() {
