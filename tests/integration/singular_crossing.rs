@@ -242,3 +242,25 @@ fn an_interface_is_pulled_by_the_spring_of_the_side_it_is_on() {
         assert_near(integrated.1, exact.1, 1e-8);
     }
 }
+
+/// Thrown back at first, joined at once: the common velocity of 49.5 m/s leads forwards, up to where `k x^(n+1)/(n+1)` is its energy.
+#[test]
+fn valid_bodies_that_join_at_once_swing_the_way_of_their_common_velocity() {
+    for n in [0.5, 1.5, 2.0f64] {
+        let own = format!("model=initial-velocity n={n} w_0=-1 k=1e6 run.horizon_s=5e-3 gamma=1");
+        let found = run(scene(&own));
+        let energy = 0.5 * 0.059 * 49.5 * 49.5;
+        let reach = ((n + 1.0) * energy / 1e6).powf(1.0 / (n + 1.0));
+        assert_near(found.max_plate_displacement_m.unwrap(), reach, 1e-11);
+        assert!(found.ledger.residual().abs() < 1e-11, "{n}");
+        for row in found.series.iter().filter(|row| row.mode == ContactMode::Fused) {
+            let Sample { plate_displacement_m: x, plate_velocity_m_s: w, .. } = *row;
+            assert_near(
+                0.5 * 0.059 * w * w + 1e6 / (n + 1.0) * x.abs().powf(n + 1.0),
+                energy,
+                1e-11,
+            );
+            assert!(row.contact_force_n * x >= 0.0, "n={n} {row:?}");
+        }
+    }
+}

@@ -45,12 +45,12 @@ pub(super) fn first(setup: &ImpactParameters) -> (HybridMode, State) {
         (mode.hold, mode.held_m, mode.w_side) = (PlateConstraint::Spring, held_m, 1.0);
         hold_plate(setup, &mut state);
     }
-    if state.w_m_s != 0.0 {
-        update_direction(setup, &mut mode, &state);
-    }
     if setup.law == ContactLaw::AtOnce {
         merge_bodies(setup, &mut mode, &mut state);
         setup.update_weight(&mut mode, Contact::Penetrating);
+    }
+    if state.w_m_s != 0.0 {
+        update_direction(setup, &mut mode, &state);
     }
     // A moving plate hits its stop in the loop, which records the work.
     if setup.starts_on_stop() && state.w_m_s == 0.0 {
