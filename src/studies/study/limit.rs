@@ -123,6 +123,15 @@ impl Limit {
         if let Self::Found { velocity_m_s, .. } = self { Some(velocity_m_s) } else { None }
     }
 
+    /// Returns the velocity of the slowest undecided shot, m/s, unless a slower one perforates.
+    fn undecided_at_m_s(self) -> Option<f64> {
+        match self {
+            Self::Found { undecided_at_m_s, .. } => undecided_at_m_s,
+            Self::Between { undecided_m_s, .. } => Some(undecided_m_s),
+            _ => None,
+        }
+    }
+
     /// Returns the limit velocity, m/s, if all slower shots are decided.
     fn decided_m_s(self) -> Option<f64> {
         let is_decided =
@@ -239,11 +248,7 @@ pub struct LimitReport {
 impl LimitReport {
     /// Returns the velocity of a slower undecided shot, m/s.
     pub fn undecided_at_m_s(&self) -> Option<f64> {
-        match self.limit {
-            Limit::Found { undecided_at_m_s, .. } => undecided_at_m_s,
-            Limit::Between { undecided_m_s, .. } => Some(undecided_m_s),
-            _ => None,
-        }
+        self.limit.undecided_at_m_s()
     }
 
     /// Describes undecided shots below a known limit.
@@ -273,7 +278,7 @@ fn find_within(
 ) -> Result<LimitReport, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 42 + 2 * BESIDE.len() + 2 * BELOW + ABOVE);
-    let mut range = ShotRunner { scene, context, work };
+    let mut range = ShotRunner { scene, context, work, stopped_m_s: Vec::new() };
     let limit = range.whole_limit();
     let shots = range.curve(limit);
     // The curve can have a faster shot that is stopped again between those of the search.
@@ -315,7 +320,7 @@ fn alone_within(
 ) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW);
-    Ok(ShotRunner { scene, context, work }.whole_limit())
+    Ok(ShotRunner { scene, context, work, stopped_m_s: Vec::new() }.whole_limit())
 }
 
 /// Returns the limit velocity of a scene, m/s.

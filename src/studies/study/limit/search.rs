@@ -27,11 +27,13 @@ const LOWER_MAX: usize = 4;
 const SETTLED: f64 = 1e-4;
 /// Relative width of the final bracket around the velocity at which the interface reaches its limit load.
 const HOLDS_WIDTH: f64 = 1e-5;
+/// Relative width of the final bracket around the slowest undecided shot: the last digit on pages.
+const UNDECIDED_WIDTH: f64 = 1e-4;
 /// Points of the scan for that velocity, and distance of the slowest one above the velocity of the plate, relative to it.
 const HOLDS_SCAN: usize = 12;
 const HOLDS_ABOVE: f64 = 1e-2;
-/// Upper bound of the run tolerance.
-const TOLERANCE: f64 = 1e-10;
+/// Upper bound of the run tolerance: that of a default run, so that the same shot has the same outcome there.
+const TOLERANCE: f64 = 1e-9;
 
 /// Evaluation budget of all shots of a limit, in units of [`Cost::work`](cmra_engine::model::run::Cost::work): about 1.6 s, at 0.05 us each.
 pub(super) const WORK_MAX: usize = 32_000_000;
@@ -67,6 +69,8 @@ pub(super) struct ShotRunner<'s, 'c, 'w> {
     pub(super) scene: &'s Arc<Scene>,
     pub(super) context: &'c mut Context<'w>,
     pub(super) work: &'c mut ShotWork,
+    /// Velocities of the shots that were stopped, m/s.
+    pub(super) stopped_m_s: Vec<f64>,
 }
 
 impl ShotRunner<'_, '_, '_> {
@@ -91,12 +95,16 @@ impl ShotRunner<'_, '_, '_> {
     /// Returns the outcome of a shot; `None` if cancelled.
     fn verdict(&mut self, impact_m_s: f64) -> Option<ShotOutcome> {
         let aimed = aimed(self.scene, impact_m_s);
-        if let Some(end) =
-            first_contact::contact(&aimed, ContactOutput::Passage, aimed.run.tolerance)
-        {
-            return self.should_continue().then_some(ShotOutcome::of_contact(&aimed, &end));
+        let at_contact =
+            first_contact::contact(&aimed, ContactOutput::Passage, aimed.run.tolerance);
+        let outcome = match at_contact {
+            Some(end) => self.should_continue().then_some(ShotOutcome::of_contact(&aimed, &end))?,
+            None => self.shoot(impact_m_s)?.1,
+        };
+        if outcome == ShotOutcome::Stopped {
+            self.stopped_m_s.push(impact_m_s);
         }
-        Some(self.shoot(impact_m_s)?.1)
+        Some(outcome)
     }
 
     /// Runs a shot just below a limit; `None` if cancelled.
@@ -199,7 +207,20 @@ impl ShotRunner<'_, '_, '_> {
             }
             limit = beside;
         }
-        limit
+        self.close_undecided(limit).unwrap_or(Limit::Unknown)
+    }
+
+    /// Closes in on the slowest undecided shot from the fastest one that is known to be stopped.
+    fn close_undecided(&mut self, limit: Limit) -> Option<Limit> {
+        let Some(mut undecided_m_s) = limit.undecided_at_m_s() else { return Some(limit) };
+        let slower = self.stopped_m_s.iter().filter(|it| **it < undecided_m_s);
+        let mut stopped_m_s = slower.copied().fold(RANGE_M_S.0, larger);
+        while undecided_m_s - stopped_m_s > UNDECIDED_WIDTH * undecided_m_s {
+            let between_m_s = 0.5 * (stopped_m_s + undecided_m_s);
+            let is_stopped = self.verdict(between_m_s)? == ShotOutcome::Stopped;
+            *(if is_stopped { &mut stopped_m_s } else { &mut undecided_m_s }) = between_m_s;
+        }
+        Some(limit.above_undecided(undecided_m_s))
     }
 
     /// Checks a limit by shots on either side. A perforation below it lowers the limit. A stopped shot above it marks the limit as not
@@ -239,13 +260,23 @@ impl ShotRunner<'_, '_, '_> {
 
     /// Bisects between a shot that does not perforate and one that does.
     fn closed_in(&mut self, below: BracketEnd, through_m_s: f64) -> Option<Limit> {
-        let found = edge(through_m_s, below, WIDTH, &mut |it| self.verdict(it))?;
-        Some(match found {
+        let mut slowest_m_s = None;
+        let mut look = |velocity_m_s: f64| {
+            let outcome = self.verdict(velocity_m_s)?;
+            if outcome == ShotOutcome::Undecided {
+                slowest_m_s =
+                    Some(slowest_m_s.map_or(velocity_m_s, |it| smaller(it, velocity_m_s)));
+            }
+            Some(outcome)
+        };
+        let found = edge(through_m_s, below, WIDTH, &mut look)?;
+        let limit = match found {
             (through_m_s, (undecided_m_s, ShotOutcome::Undecided)) => {
                 Limit::Between { undecided_m_s, through_m_s: Some(through_m_s) }
             }
             (a, (b, _)) => Limit::found(0.5 * (a + b), LimitMethod::Outcome),
-        })
+        };
+        Some(slowest_m_s.map_or(limit, |undecided_m_s| limit.above_undecided(undecided_m_s)))
     }
 
     /// Finds the limit by the outcome of runs: a geometrically spaced scan, then bisection.

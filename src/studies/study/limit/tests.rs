@@ -26,7 +26,7 @@ fn by_outcome(pairs: &str) -> f64 {
     let mut watch = never_cancel;
     let context = &mut Context::new(1, &mut watch);
     let work = &mut ShotWork::default();
-    let mut range = ShotRunner { scene: &scene, context, work };
+    let mut range = ShotRunner { scene: &scene, context, work, stopped_m_s: Vec::new() };
     range.search().unwrap().velocity_m_s().unwrap()
 }
 
@@ -35,6 +35,24 @@ fn valid_limits_in_closed_form_by_outcome() {
     for (pairs, limit) in [("mount=rigid", 232.295_378), ("gamma=1", 347.708_052)] {
         let searched = by_outcome(pairs);
         assert!((searched / limit - 1.0).abs() < 1e-8, "{searched}");
+    }
+}
+
+/// The plate moves by some 10 nm: its limit is that of a rigid mount, and its spring swings a million times a second. Where the work of the
+/// search ends before a shot does, nothing is said of it.
+#[test]
+fn valid_no_shot_above_an_undecided_one_counts_as_stopped() {
+    let rigid_m_s = 232.295_378;
+    for n in [0.15, 0.2, 0.25] {
+        let limit = found(&format!("gamma=1 k=1e6 n={n}")).limit;
+        assert_eq!(limit.outcome_at(200.0), Some(Outcome::Arrested), "{n}");
+        for part in [1.0001, 1.01, 1.05, 1.1, 1.15] {
+            assert_ne!(
+                limit.outcome_at(rigid_m_s * part),
+                Some(Outcome::Arrested),
+                "{n} {limit:?}"
+            );
+        }
     }
 }
 
