@@ -136,6 +136,21 @@ fn a_fused_stop_is_hit_or_not_whatever_the_tolerance() {
     }
 }
 
+/// A stop that the plate hits while the projectile still penetrates, or after it is through, loads no fused interface: the shot is that of a
+/// plastic one.
+#[test]
+fn a_stop_that_is_hit_before_the_bodies_fuse_or_after_the_exit_is_no_fused_one() {
+    for pairs in ["x_stop=1mm", "x_stop=20mm v_i=400"] {
+        let [fused, plastic] =
+            ["", " interface=plastic"].map(|more| run(&format!("{pairs}{more}")));
+        assert_near(number(&fused, "fused_stop_hit"), 0.0, 0.0);
+        assert!(!fused["warnings"].to_string().contains("unbounded"), "{pairs}");
+        for key in ["final_penetration_m", "stroke_m"] {
+            assert_near(number(&fused, key), number(&plastic, key), 1e-12);
+        }
+    }
+}
+
 /// Thrown back at first, fused bodies come to the stop at their own starting place: 1 um / 20 m/s before a stop that stands 1 um further.
 #[test]
 fn valid_a_stop_at_the_starting_place_is_hit_on_the_way_back() {
