@@ -11,6 +11,7 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::state::CHARTS;
 use crate::tui::theme::GlyphSet;
 use crate::tui::widgets::text::fitting;
+use cmra_engine::model::contact::Geometry;
 use cmra_engine::model::run::{Run, Sample};
 use cmra_engine::model::units::{Prefix, engineering};
 use cmra_engine::numerics::larger;
@@ -121,7 +122,8 @@ fn numbers(run: &Run, state: &Sample) -> Vec<String> {
     let whole_m = scene.effective_thickness_m();
     let depth_m = state.penetration_m;
     if depth_m < 0.0 {
-        all.push(format!("gap {}", length(-depth_m)));
+        // Nothing dishes in front of the plate.
+        all.push(format!("gap {}", length(-Geometry::from_scene(scene).travel_m(depth_m))));
     } else if depth_m > whole_m {
         all.push(format!("nose {} out", length(depth_m - whole_m)));
     } else if depth_m.is_finite() {
