@@ -38,7 +38,8 @@ use cmra_studies::study::validity;
     after_help = format!(
         "Without --over, computes the scene's own [sweep], for example `cmra sweep figure-9.7`.\n\
         Columns: the axes' values, then every quantity of a run that needs neither its time series nor a limit search; \
-        with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point \
+        with --outputs, or for a scene's own [sweep], only the outcome, those outputs and `lower_bounds`, which names the values of \
+        undecided runs. `error` comes last: a failed point \
         keeps its row and says why.\n\
         Shards: part I of N has every N-th row, beginning with row I. `cmra help sweeps` shows parts on many cores and in a cluster, \
         and how to put them together.\n\n\

@@ -97,6 +97,10 @@ fn a_row_of_an_undecided_run_has_its_lower_bounds() {
     assert_eq!(row["lower_bounds"], "final_penetration_m; percent_of_baseline");
     let [one, other] = [&found, row].map(|it| it["final_penetration_m"].as_f64().unwrap());
     assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
+    let chosen = ["--over", "v_i=80,87.2332", "--outputs", "final_penetration_m"];
+    let chosen = &json("sweep", &[&sets[..], &chosen].concat())["rows"][1];
+    assert_eq!(chosen["lower_bounds"], "final_penetration_m");
+    assert_eq!(chosen["final_penetration_m"], row["final_penetration_m"]);
     let page = says("compare", &sets, 0).0;
     assert!(page.contains("`cmra run` has lower bounds"), "{page}");
 }

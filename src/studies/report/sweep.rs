@@ -9,7 +9,6 @@ use serde_json::{Value, json};
 
 use crate::report::figures::sweeps::picture;
 use crate::report::page::{CHART, MAP, Page};
-use crate::report::run::lower_bounds;
 use crate::report::table::{Table, listed, pretty, texts};
 use crate::report::verdict;
 use crate::study::context::Reach;
@@ -123,8 +122,7 @@ impl SweepWriter<'_> {
             table = table.field("end", move |row| Some(run(row)?.end.words()));
         }
         for (at, output) in self.plan.outputs().iter().enumerate() {
-            let bound = move |row: &usize| output.lower_bound(run(row)?);
-            let value = move |row: &usize| found[*row].values[at].or_else(|| bound(row));
+            let value = move |row: &usize| found[*row].values[at].or_else(|| found[*row].bound(at));
             table = table.field(output.name, value);
         }
         if is_all {
@@ -133,15 +131,22 @@ impl SweepWriter<'_> {
                 let verdicts = Rc::clone(&verdicts);
                 table = table.field(key, move |row| verdict::object(&verdicts[*row])[key].clone());
             }
+        }
+        table = table.field("lower_bounds", |row| self.lower_bounds(&found[*row]));
+        if is_all {
             table = table
-                .field("lower_bounds", move |row| {
-                    Some(lower_bounds(run(row)?).collect::<Vec<_>>().join("; "))
-                })
                 .field("method", move |row| Some(run(row)?.cost.method))
                 .field("omitted", move |row| Some(run(row)?.omitted.join("; ")))
                 .field("warnings", move |row| Some(listed(&envelope::warnings(run(row)?))));
         }
         table.field("error", move |row| found[*row].reason())
+    }
+
+    /// The outputs of which a point has a lower bound, since its run ended before they were final.
+    fn lower_bounds(&self, point: &Point) -> String {
+        let outputs = self.plan.outputs().iter().enumerate();
+        let bounds = outputs.filter(|(at, _)| point.bound(*at).is_some());
+        bounds.map(|(_, output)| output.name).collect::<Vec<_>>().join("; ")
     }
 
     /// The head of the JSON: the sweep itself, up to the rows.

@@ -376,7 +376,7 @@ fn results_are_exported_and_nothing_is_replaced_without_consent() {
     assert!(has_scene, "runs it again");
     assert!(to.path.ends_with("figure-9.7-gamma-k.csv") && to.existing == OverwritePolicy::Keep);
     assert!(text.starts_with(
-        "gamma,k,outcome,verdict,percent_of_baseline,max_plate_displacement_m,error\n"
+        "gamma,k,outcome,verdict,percent_of_baseline,max_plate_displacement_m,lower_bounds,error\n"
     ));
     assert_eq!(text.lines().count(), 1 + 25);
     bench.export_ended(ExportOutcome::Exists("x.csv".into()));

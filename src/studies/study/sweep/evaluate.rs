@@ -25,14 +25,21 @@ pub struct Point {
     pub outcome: PointOutcome,
     /// Outputs in the order requested; `None` if a quantity does not exist.
     pub values: Vec<Option<f64>>,
+    /// Lower bounds of the outputs whose run ended before they were final; empty if there are none.
+    pub(super) bounds: Vec<Option<f64>>,
     /// Reason why a quantity that takes many shots does not exist; empty otherwise.
-    reason: String,
+    pub(super) reason: String,
 }
 
 impl Point {
     /// Creates the results of a point.
     pub(super) fn new(outcome: PointOutcome, values: impl Iterator<Item = Option<f64>>) -> Self {
-        Self { outcome, values: values.collect(), reason: String::new() }
+        Self { outcome, values: values.collect(), bounds: Vec::new(), reason: String::new() }
+    }
+
+    /// Returns the lower bound of an output whose run ended before it was final.
+    pub fn bound(&self, output: usize) -> Option<f64> {
+        *self.bounds.get(output)?
     }
 
     /// Returns the reason for a missing result.
@@ -110,7 +117,13 @@ impl<'p> Evaluator<'p> {
         let reason = reasons.cloned().collect::<Vec<String>>().join("; ");
         let mut values: Vec<Option<f64>> = found.into_iter().map(Result::ok).collect();
         values.resize(self.plan.outputs().len(), None);
-        Some((Point { outcome, values, reason }, run.ok()))
+        let run = run.ok();
+        let bound = |output: &&Quantity| output.lower_bound(run.as_ref()?);
+        let mut bounds: Vec<Option<f64>> = self.plan.outputs().iter().map(bound).collect();
+        if bounds.iter().all(Option::is_none) {
+            bounds = Vec::new();
+        }
+        Some((Point { outcome, values, bounds, reason }, run))
     }
 
     /// Runs a point without time series, and returns its quantities if the run is complete.

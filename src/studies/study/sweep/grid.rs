@@ -3,6 +3,7 @@
 //! Each pass halves the spacing of the computed points. A point that is not computed is shown by the closest coarser one. The complete grid
 //! does not depend on the passes.
 
+use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
@@ -78,6 +79,8 @@ pub struct Grid {
     counts: (usize, usize),
     outcomes: Vec<Option<PointOutcome>>,
     values: Vec<f64>,
+    /// Lower bounds of the outputs at the points that have any.
+    bounds: BTreeMap<usize, Vec<Option<f64>>>,
     done: usize,
     /// Checks of the validity that fail at an end of an axis and not for the scene itself, with their warnings; filled with the last pass.
     pub outside_at_ends: Vec<(Check, Warning)>,
@@ -98,6 +101,7 @@ impl Grid {
             counts,
             outcomes: vec![None; points],
             values: vec![f64::NAN; points * plan.outputs().len()],
+            bounds: BTreeMap::new(),
             done: 0,
             outside_at_ends: Vec::new(),
             plan,
@@ -146,7 +150,8 @@ impl Grid {
         let there = self.outcomes.iter().enumerate().filter_map(|(at, outcome)| {
             let values = self.values[at * outputs..][..outputs].iter();
             let values = values.map(|value| Some(*value).filter(|value| !value.is_nan()));
-            Some((at as u64, Point::new((*outcome)?, values)))
+            let bounds = self.bounds.get(&at).cloned().unwrap_or_default();
+            Some((at as u64, Point { bounds, ..Point::new((*outcome)?, values) }))
         });
         there.unzip()
     }
@@ -230,6 +235,9 @@ impl Grid {
             let Ok(index) = usize::try_from(index) else { continue };
             self.done += usize::from(self.outcomes[index].is_none());
             self.outcomes[index] = Some(point.outcome);
+            if !point.bounds.is_empty() {
+                self.bounds.insert(index, point.bounds.clone());
+            }
             let values = &mut self.values[index * outputs..][..outputs];
             for (kept, value) in values.iter_mut().zip(&point.values) {
                 *kept = value.unwrap_or(f64::NAN);
