@@ -11,14 +11,13 @@ use crate::tui::pages::page::prelude::*;
 use crate::tui::pages::run::state::CHARTS;
 use crate::tui::theme::GlyphSet;
 use crate::tui::widgets::text::fitting;
-use cmra_engine::model::contact::Geometry;
 use cmra_engine::model::run::{Run, Sample};
 use cmra_engine::model::units::{Prefix, engineering};
 use cmra_engine::numerics::larger;
 use cmra_studies::report::chart::scale::whole_below;
 use cmra_studies::report::chart::without_common_unit;
 use cmra_studies::report::energies::Energies;
-use cmra_studies::report::figures::impact::{Stage, mode_words};
+use cmra_studies::report::figures::impact::{Stage, gap_m, mode_words};
 use cmra_studies::report::series::state_at;
 
 /// Percentage of the body's rows for the drawing.
@@ -122,8 +121,7 @@ fn numbers(run: &Run, state: &Sample) -> Vec<String> {
     let whole_m = scene.effective_thickness_m();
     let depth_m = state.penetration_m;
     if depth_m < 0.0 {
-        // Nothing dishes in front of the plate.
-        all.push(format!("gap {}", length(-Geometry::from_scene(scene).travel_m(depth_m))));
+        all.push(format!("gap {}", length(gap_m(scene, depth_m))));
     } else if depth_m > whole_m {
         all.push(format!("nose {} out", length(depth_m - whole_m)));
     } else if depth_m.is_finite() {
