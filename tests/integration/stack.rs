@@ -8,7 +8,7 @@ use cmra_engine::model::run::{Outcome, Run, RunWarning};
 use cmra_engine::model::variables;
 use cmra_studies::study::quantities;
 
-use crate::support::{assert_near, run, says, scene};
+use crate::support::{assert_near, cmra, run, says, scene};
 
 #[test]
 fn a_stack_of_one_element_is_the_single_run() {
@@ -248,4 +248,19 @@ fn the_verdict_of_a_stack_stands_above_its_first_element() {
     let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("{words}: {page}"));
     assert!(at("by the law alone") < at("element 1 in full:"), "{page}");
     assert_eq!(page.matches("by the law alone").count(), 1, "{page}");
+}
+
+/// As `seek` and `sensitivity`, before any run.
+#[test]
+fn studies_refuse_results_that_a_stack_lacks() {
+    for (command, arguments) in [
+        ("optimise", &["--samples", "64"][..]),
+        ("optimise", &["--minimise", "final_penetration_m", "--subject-to", "stroke_m<=1"]),
+        ("montecarlo", &["--outputs", "stroke_m"]),
+        ("montecarlo", &["--outputs", "final_penetration_m,stroke_m"]),
+    ] {
+        let refused = cmra(command, &[&["array-stacked"], arguments].concat()).assert().code(2);
+        let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+        assert!(text.contains("stroke: a stack has none; take final_penetration_m"), "{text}");
+    }
 }

@@ -360,6 +360,7 @@ fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<P
     }
     let axes = tolerances.iter().map(|tolerance| tolerance.axis(scene));
     let axes = axes.collect::<Result<Vec<Axis>, StudyError>>()?;
+    request.outputs.iter().try_for_each(|output| output.check_exists(scene))?;
     Plan::for_designs(scene, axes, &request.measures())
 }
 

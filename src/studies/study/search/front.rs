@@ -203,6 +203,7 @@ pub fn run(
     for constraint in &mut request.subject_to {
         constraint.measure = constraint.measure.design_quantity(scene);
     }
+    request.measures().iter().try_for_each(|measure| measure.check_exists(scene))?;
     let names: Vec<&str> = request.measures().iter().map(|measure| measure.name).collect();
     let plan = Plan::for_designs(scene, request.over.clone(), &names)?.limited(STEPS_MAX);
     context.expect(request.samples);
