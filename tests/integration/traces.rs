@@ -66,6 +66,24 @@ fn a_trace_without_a_common_time_says_why() {
     assert!(page.contains("RMS difference"), "{page}");
 }
 
+/// The run ends at 1.275 ms: of five rows the last is not compared, and the trace's own peak and end, 2.2 mm, are not those shown.
+#[test]
+fn rows_after_the_end_of_the_run_are_counted() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("trace.csv");
+    let rows = "0,0\n10,0.01\n50,0.5\n100,1.6\n5000,2.2\n";
+    fs::write(&path, format!("time [us],plate displacement [mm]\n{rows}")).unwrap();
+    let with = ["--with", path.to_str().unwrap()];
+    let trace = json("run", &with)["with"]["traces"][0].clone();
+    assert_eq!((&trace["rows"], &trace["rows_left_out"]), (&4.into(), &1.into()));
+    let (page, _) = says("run", &with, 0);
+    let words = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    let told = "1 of 5 rows is left out, since the run, which ends at 1.275 ms, has no value then: peak and end are those of the rows compared; run longer";
+    assert!(words.contains(told), "{page}");
+    let (page, _) = says("run", &["--set", "horizon=6ms", with[0], with[1]], 0);
+    assert!(!page.contains("left out"), "{page}");
+}
+
 /// The workbench without a terminal prints the same.
 #[test]
 fn the_workbench_takes_it_too_and_a_picture_has_it() {

@@ -85,6 +85,11 @@ pub struct Difference {
 /// A trace and its difference from a run; `None` without a common time.
 type Row<'c> = (&'c Trace, Option<Difference>);
 
+/// Number of rows of a trace at which the run has no value, mostly after its end.
+fn left_out(row: &Row<'_>) -> usize {
+    row.0.points.len() - row.1.map_or(0, |it| it.rows)
+}
+
 /// The value of a curve at a time, linear between the points before and after it; at a jump the value after it. `None` outside.
 fn value_at(points: &[(f64, f64)], after: usize, t_s: f64) -> Option<f64> {
     let (before_s, low) = *points.get(after.checked_sub(1)?)?;
@@ -245,7 +250,8 @@ impl Traces {
             .with("column", "column", "", |row: &Row<'c>| row.0.heading.as_str())
             .with("quantity", "quantity", "", |row| row.0.channel.title().to_lowercase())
             .with("unit", "unit", "", |row| row.0.channel.unit())
-            .with("rows", "rows compared", "", |row| row.1.map(|it| it.rows));
+            .with("rows", "rows compared", "", |row| row.1.map(|it| it.rows))
+            .field("rows_left_out", left_out);
         let table = with(table, ("from_s", "from"), |it| it.times_s.0, true);
         let table = with(table, ("to_s", "to"), |it| it.times_s.1, true);
         let table = with(table, ("measured_peak", "peak, measured"), |it| it.measured.peak, false);
@@ -278,14 +284,24 @@ impl Traces {
     pub fn compare(&self, page: &mut Page, run: &Run) {
         let (compared, others): (Vec<_>, Vec<_>) = self.rows(run).partition(|row| row.1.is_some());
         page.heading(format!("beside {} (computed less measured)", self.name));
+        let counts = compared.iter().map(|row| (&row.0.heading, left_out(row), row.0.points.len()));
+        let partly: Vec<_> = counts.filter(|it| it.1 > 0).collect();
         if !compared.is_empty() {
             let table = Self::table(compared);
             let keys: Vec<&str> = table.keys().into_iter().filter(|key| *key != "unit").collect();
             page.table(table.turned(&keys));
         }
         let end_s = run.series.last().map_or(0.0, |row| row.t_s);
+        let end = engineering(end_s, "s", 4);
+        for (heading, left_out, all) in partly {
+            let are = if left_out == 1 { "is" } else { "are" };
+            page.line(format!(
+                "{heading}: {left_out} of {all} rows {are} left out, since the run, which ends at {end}, has no value then: \
+                 peak and end are those of the rows compared; run longer with --set horizon=TIME"
+            ));
+        }
         for (trace, _) in others {
-            let [end, first] = [end_s, trace.points[0].0].map(|t_s| engineering(t_s, "s", 4));
+            let first = engineering(trace.points[0].0, "s", 4);
             page.line(format!(
                 "{}: no row within the time of the run, which ends at {end}; the first row is at {first}: check the unit of time, \
                  or run longer with --set horizon=TIME",
