@@ -85,3 +85,21 @@ fn a_model_that_cannot_perforate_stops_nothing() {
         assert!(page.contains("cannot perforate") && !page.contains("3000 m/s"), "{page}");
     }
 }
+
+/// The listing of Appendix A has no stop, and its row goes through the one of the scene.
+#[test]
+fn a_model_without_the_stop_of_the_scene_says_so() {
+    let stopped = ["run", "--set", "x_stop=5mm", "--compare", "models"];
+    let (page, _) = cmra(&stopped);
+    let words = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(words.matches("the stop is ignored").count(), 1, "{page}");
+    assert!(!cmra(&["run", "--compare", "models"]).0.contains("ignored"));
+    let (text, _) = cmra(&[&stopped[..], &["--json"]].concat());
+    let rows: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let ignores = |row: &&serde_json::Value| {
+        row["warnings"].as_str().unwrap().contains("the stop is ignored")
+    };
+    let who: Vec<_> =
+        rows.as_array().unwrap().iter().filter(ignores).map(|row| &row["run"]).collect();
+    assert_eq!(who, ["appendix"], "{text}");
+}

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use crate::report::table::{Table, pretty, texts, unsigned_zero};
+use crate::report::table::{self, Table, pretty, texts, unsigned_zero};
 use crate::report::traces::Traces;
 use crate::report::verdict;
 use crate::study::envelope::warnings;
@@ -111,7 +111,10 @@ pub fn results<'r>(scene: &'r str, runs: &'r [NamedRun]) -> Table<'r, &'r NamedR
         .field("end", |it| it.1.end.words())
         .field("method", |it| it.1.cost.method)
         .field("run_time_s", |it| it.1.cost.took_s);
-    of_runs().fold(table, |table, quantity| table.field(quantity.name, |it| quantity.value(&it.1)))
+    let quantities = of_runs();
+    let table = quantities
+        .fold(table, |table, quantity| table.field(quantity.name, |it| quantity.value(&it.1)));
+    table.field("warnings", |it| table::listed(&warnings(&it.1)))
 }
 
 /// Name of a compared run, with the run or a word for the reason why there is none.

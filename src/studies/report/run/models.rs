@@ -2,7 +2,7 @@
 
 use crate::report::page::Page;
 use crate::report::run::{NamedRun, comparison};
-use cmra_engine::model::run::Run;
+use cmra_engine::model::run::{Run, RunWarning};
 
 /// Compared results.
 const KEYS: [&str; 5] =
@@ -23,10 +23,11 @@ pub fn page(heading: &str, runs: &[NamedRun]) -> Page {
     page
 }
 
-/// Describes the model of a run and its parameters.
+/// Describes the model of a run, its parameters, and what of the scene it ignores.
 fn remark(run: &Run) -> String {
     let model = run.scene.contact.model;
-    let parameters = model.parameters(&run.scene);
-    let lead = if parameters.is_empty() { "" } else { "; " };
-    format!("{}{lead}{parameters}", model.about())
+    let ignored = run.warnings.iter().filter(|it| matches!(it, RunWarning::NotModelled(_)));
+    let clauses = [model.about().to_owned(), model.parameters(&run.scene)].into_iter();
+    let clauses = clauses.chain(ignored.map(|it| it.sentence().0));
+    clauses.filter(|it| !it.is_empty()).collect::<Vec<_>>().join("; ")
 }
