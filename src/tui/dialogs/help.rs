@@ -3,8 +3,9 @@
 use crate::tui::app::dialog::Outcome;
 use crate::tui::dialogs::list::{List, Picker, frame};
 use crate::tui::keymap::GLOBAL_KEYS;
-use crate::tui::pages::limit::CANDIDATES;
 use crate::tui::pages::limit::comparison::COMPARISON_WORDS;
+use crate::tui::pages::limit::map::efficiency_map;
+use crate::tui::pages::limit::{CANDIDATES, EFFICIENCY_MAP};
 use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::pages::numerics::stability::stiff_scenes_words;
 use crate::tui::pages::page::pair;
@@ -13,6 +14,7 @@ use crate::tui::prelude::*;
 use crate::tui::widgets::split_top;
 use crate::tui::widgets::text::{TextLine, clip, wrapped};
 use cmra_engine::model::units::shortest;
+use cmra_studies::report::compare::picture;
 
 #[derive(Debug)]
 pub(super) struct Help;
@@ -69,11 +71,15 @@ fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
     let is_run = matches!(app.pane(), run::VARIABLES | run::CHARTS | run::RUNS);
     let words = match app.pane() {
         CANDIDATES => COMPARISON_WORDS.to_owned(),
+        EFFICIENCY_MAP => efficiency_letters(app),
         STIFF_SCENES => stiff_scenes_words(),
         explore::RESULTS => comment(app),
         _ if is_run => RUN_WORDS.to_owned(),
         _ => return Vec::new(),
     };
+    if words.is_empty() {
+        return Vec::new();
+    }
     let mut lines = if app.pane() == run::VARIABLES { variable(app, width) } else { Vec::new() };
     let paragraphs = words.split("\n\n").map(|it| it.replace('\n', " "));
     let words: Vec<TextLine> =
@@ -83,6 +89,13 @@ fn about(app: &App, Rect { width, height, .. }: Rect) -> Vec<TextLine> {
         lines.push((String::new(), Role::Text));
     }
     lines
+}
+
+/// Returns the meaning of every letter on the map of mass efficiency, of which its legend may have no room for all.
+fn efficiency_letters(app: &App) -> String {
+    let map = efficiency_map(app).and_then(picture);
+    let marks = map.iter().flat_map(|map| &map.marks);
+    marks.map(ToString::to_string).collect::<Vec<_>>().join("\n\n")
 }
 
 /// Returns the comment of the scene's preset: source and expected result.

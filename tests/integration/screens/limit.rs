@@ -215,6 +215,23 @@ fn no_line_of_the_candidates_is_cut() {
     assert!(text.join(" ").contains("not an alternative, only the effect of the mass ratio"));
 }
 
+/// Slow shots and springs that yield on one map: the legend has room for one reason at this size.
+#[test]
+fn the_help_of_the_map_names_every_letter_on_it() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.scene = Arc::new(crate::support::scene("spring=prbm-guided d=4mm"));
+    bench.keys("3");
+    answer(&mut bench);
+    let map = bench.screen();
+    bench.keys("?");
+    let help = bench.screen();
+    for (letter, meaning) in [("EEE", "E even the thinnest plate"), ("FFF", "F the beam yields")] {
+        assert!(map.contains(letter), "{letter}: {map}");
+        assert!(help.contains(meaning), "{meaning}: {help}");
+    }
+    assert!(help.contains("cursor"), "{help}");
+}
+
 /// The plate of 3 mm is a thin sheet, overloads its fused interface just below its limit, and its spring's end moves too fast.
 #[test]
 fn the_status_names_what_is_outside_validity_at_the_limit() {
