@@ -35,8 +35,8 @@ const HOLDS_ABOVE: f64 = 1e-2;
 /// Upper bound of the run tolerance: that of a default run, so that the same shot has the same outcome there.
 const TOLERANCE: f64 = 1e-9;
 
-/// Evaluation budget of all shots of a limit, in units of [`Cost::work`](cmra_engine::model::run::Cost::work): about 1.6 s, at 0.05 us each.
-pub(super) const WORK_MAX: usize = 32_000_000;
+/// Evaluation budget of all shots of a limit, in units of [`Cost::work`](cmra_engine::model::run::Cost::work): about 1.3 s, at 0.05 us each.
+pub(super) const WORK_MAX: usize = 26_000_000;
 /// Ratio of the remaining budget to that of the next shot. A limit takes one to three hundred shots, and the first ones determine the
 /// others.
 const SHOTS_LEFT: usize = 32;
