@@ -183,8 +183,7 @@ fn every_label_of_a_page_is_explained() {
     assert!(unknown.is_empty(), "{unknown:#?}");
 }
 
-/// By the name that begins its line below a run; a name that a variable has, too, explains both.
-/// What turns a geared mass is in the result alone: 5.6 kN of a helix whose greatest row has 3.5 kN.
+/// Rows lack the force that turns a geared mass: 3.5 kN at most for a helix whose result is 5.6 kN.
 #[test]
 fn a_mount_force_says_what_the_rows_have_of_it() {
     let (page, _) = says("explain", &["mount force"], 0);
@@ -194,6 +193,7 @@ fn a_mount_force_says_what_the_rows_have_of_it() {
     assert!(page.contains("turns a geared mass"), "{page}");
 }
 
+/// By the name that begins its line below a run; a name that a variable has, too, explains both.
 #[test]
 fn a_warning_is_explained_by_its_name() {
     let (page, _) = says("run", &[], 0);

@@ -85,7 +85,7 @@ fn a_csv_has_the_axes_first_then_every_key_of_a_run() {
     }
 }
 
-/// What an undecided run knows is in its row as in its object, and named as a lower bound.
+/// Rows of undecided runs have the values so far of their object, named as lower bounds.
 #[test]
 fn a_row_of_an_undecided_run_has_its_lower_bounds() {
     let column = "theta=47.16deg h=5.6728mm gamma=10.5905 d=48.2349mm spring=column F_crit=27602.8 F_plat=18832.2 x_fall=4.10278mm";

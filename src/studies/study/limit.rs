@@ -123,7 +123,7 @@ impl Limit {
         if let Self::Found { velocity_m_s, .. } = self { Some(velocity_m_s) } else { None }
     }
 
-    /// Returns the velocity of the slowest undecided shot, m/s, unless a slower one perforates.
+    /// Returns the velocity of the slowest shot that is not known to be stopped, m/s, if a shot below the limit is undecided.
     fn undecided_at_m_s(self) -> Option<f64> {
         match self {
             Self::Found { undecided_at_m_s, .. } => undecided_at_m_s,
