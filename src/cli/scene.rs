@@ -19,6 +19,7 @@ use cmra_engine::model::mechanism::PowerLaw;
 use cmra_engine::model::scene::{Closure, Mechanism, PlateSize, Scene, SpringKind, Table};
 use cmra_engine::model::units::{self, Bare, Dimension, shortest};
 use cmra_engine::model::variables::{self, Variable, is_used, used_where};
+use cmra_studies::study::error::refusal;
 use cmra_studies::study::library::{Library, note_closure};
 
 const VELOCITY: &str = "projectile.velocity_m_s";
@@ -244,7 +245,7 @@ fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
             continue;
         }
         let set = variables::set_by_name(scene, name, value);
-        set.map_err(|problem| refuse(&problem.to_string()))?;
+        set.map_err(|problem| refuse(&refusal(&problem)))?;
     }
     let spring = &scene.mechanism.spring;
     let begins = spring.kind == SpringKind::Table && was != SpringKind::Table;

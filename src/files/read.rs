@@ -18,6 +18,7 @@ use crate::files::{clean, read_stack, read_sweep, read_table};
 use cmra_engine::model::scene::{PlateSize, Scene, SpringKind};
 use cmra_engine::model::units::{self, Bare};
 use cmra_engine::model::variables::{self, Kind, VARIABLES, Value, Variable};
+use cmra_studies::study::error::refusal;
 
 /// Version of the scene format.
 pub const FORMAT: i64 = 1;
@@ -237,7 +238,7 @@ impl Reader<'_> {
         };
         let drag = scene.target.drag;
         if let Err(error) = variable.set(scene, read) {
-            self.problem(value.span(), error.to_string());
+            self.problem(value.span(), refusal(&error));
         }
         if variable.key == "target.drag_coefficient" {
             // The file has the drag coefficient in effect; another key says whether it is given.
@@ -267,7 +268,10 @@ impl Reader<'_> {
             Some(Value::Switch(on)) => format!("write {on} without quotes"),
             Some(_) | None => example,
         };
-        let rule = variable.number().map(|number| number.allowed.describe(number.quantity));
+        let rule = variable.number().map(|number| {
+            let absent = number.absent.map_or_else(String::new, |word| format!(", or \"{word}\""));
+            format!("{}{absent}", number.allowed.describe(number.quantity))
+        });
         let allowed = rule.unwrap_or_else(|| variable.allowed());
         format!(
             "{} = {} is {}: it must be {allowed}; {cure}",

@@ -1,5 +1,7 @@
 //! Units and bare numbers on the command line.
 
+use cmra_engine::model::variables::VARIABLES;
+
 use crate::support::{json, says};
 
 #[test]
@@ -44,4 +46,32 @@ fn a_table_needs_its_file() {
         let arguments: Vec<&str> = sets.collect();
         assert_eq!(says("run", &arguments, 0).1, "");
     }
+}
+
+/// The refusal of a value names every word that the variable takes in place of a number, on the command line and in a file.
+#[test]
+fn a_refused_value_is_told_the_words_that_are_allowed() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("scene.toml");
+    let mut optional = 0;
+    for variable in VARIABLES.iter() {
+        let number = variable.number();
+        let absent = number.and_then(|it| it.absent);
+        let words: Vec<&str> = variable.keys().iter().copied().chain(absent).collect();
+        optional += usize::from(absent.is_some());
+        let refused = |value: &str| {
+            let (_, error) = says("run", &["--set", &format!("{}={value}", variable.symbol)], 2);
+            assert!(words.iter().all(|word| error.contains(word)), "{error}");
+        };
+        refused("no-such-word");
+        if number.is_some_and(|it| absent.is_some() && !it.allowed.contains(-1.0)) {
+            refused("-1");
+        }
+        if absent.is_some() {
+            std::fs::write(&file, format!("format = 1\n{} = \"off\"\n", variable.key)).unwrap();
+            let (_, error) = says("run", &[file.to_str().unwrap()], 2);
+            assert!(words.iter().all(|word| error.contains(word)), "{error}");
+        }
+    }
+    assert!(optional > 5, "{optional}");
 }

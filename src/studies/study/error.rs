@@ -3,7 +3,23 @@
 use thiserror::Error;
 
 use cmra_engine::model::units::UnitError;
-use cmra_engine::model::variables::VariableError;
+use cmra_engine::model::variables::{VariableError, find};
+
+/// Returns the message for a refused value, with the word that the variable takes in place of a number.
+pub fn refusal(error: &VariableError) -> String {
+    let word_of = |key| find(key).ok()?.number()?.absent;
+    let with = |key, text: &str| {
+        word_of(key).map_or_else(|| text.to_owned(), |word| format!("{text}, or `{word}`"))
+    };
+    match error {
+        VariableError::Unreadable { key, .. } => with(key, &error.to_string()),
+        VariableError::Impossible { symbol, key, value, meaning, allowed, cure } => {
+            let (value, allowed, cure) = (value.clone(), with(key, allowed), cure.clone());
+            VariableError::Impossible { symbol, key, value, meaning, allowed, cure }.to_string()
+        }
+        _ => error.to_string(),
+    }
+}
 
 /// Why a study over variables is refused before anything runs, or has no answer.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

@@ -16,6 +16,7 @@ use cmra_engine::model::scene::{Scene, SpringKind, Table};
 use cmra_engine::model::units::Bare;
 use cmra_engine::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use cmra_studies::study::envelope;
+use cmra_studies::study::error::refusal;
 
 /// Sets a variable. `stepping` merges the edit with the preceding steps of the same variable.
 pub(crate) fn set(
@@ -52,7 +53,7 @@ pub(crate) fn set(
 pub(crate) fn with(present: &Scene, variable: &Variable, value: Value) -> Result<Scene, String> {
     let mut scene = present.clone();
     let set = variable.set(&mut scene, value).and_then(|()| variables::validate(&scene));
-    set.map_err(|error| error.to_string())?;
+    set.map_err(|error| refusal(&error))?;
     let spring = &scene.mechanism.spring;
     let begins = spring.kind == SpringKind::Table && spring.kind != present.mechanism.spring.kind;
     if begins && spring.table == Table::default() {
@@ -66,7 +67,7 @@ pub(crate) fn with(present: &Scene, variable: &Variable, value: Value) -> Result
 pub(crate) fn read(app: &mut App, index: usize, text: &str) -> Result<(), String> {
     let unit = app.pages.run.editor.unit(index);
     let value = VARIABLES[index].parse(&app.scene, text, Bare::In(unit));
-    set(app, index, value.map_err(|error| error.to_string())?, None)
+    set(app, index, value.map_err(|error| refusal(&error))?, None)
 }
 
 /// Displays a variable in the typed unit, as a part of the edit made since `before`.
