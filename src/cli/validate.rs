@@ -28,7 +28,9 @@ use cmra_studies::study::measured;
     says otherwise.\n\
     Such a file begins, for example:\n  \
     nose,core,R [mm],m_p [g],h [mm],rho [kg/m3],E [GPa],Y [MPa],UTS [MPa],theta [deg],mount,closure,C_d,limit_m_s,source\n\
-    Exit status 1 when a row cannot be computed."
+    A row is refused, and counts nowhere, if the computed shot lacks a quantity that the row measures, such as the residual velocity of a \
+    stopped shot.\n\
+    Exit status 1 when a row is refused."
 )]
 pub(super) struct ValidateArguments {
     /// Your own measurements [default: the built-in ones, by class]
@@ -45,7 +47,7 @@ pub(super) struct ValidateArguments {
     table: TableArguments,
 }
 
-/// Computes every row; exit status 1 if a row cannot be computed.
+/// Computes every row; exit status 1 if a row is refused.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     let ValidateArguments { table, pictures, threads, .. } = arguments;
     table.check(false)?;

@@ -157,6 +157,29 @@ fn valid_moving_plates_are_columns_of_a_table() {
     }
 }
 
+/// Whatever a row measures that the computed shot lacks is refused and counted, by the same sentence: 100 m/s is stopped, and
+/// its bodies stay joined; 400 m/s perforates the plate without a common velocity.
+#[test]
+fn a_row_without_the_value_of_a_measured_quantity_is_refused() {
+    let head = "R [mm],m_p [g],h [mm],rho,S_y,closure,C_d,mount,k,v_i";
+    let plate = "6.35,29.5,25.4,2710,1.52e8,given,0.5,sprung,1e5";
+    for (v_m_s, outcome, column) in [
+        (100, "arrested", "residual_velocity_m_s"),
+        (100, "arrested", "separation_velocity_m_s"),
+        (400, "perforated", "first_arrest_plate_velocity_m_s"),
+    ] {
+        let text = format!("{head},{column},note\n{plate},{v_m_s},0.01,{column}\n");
+        let (out, told) = validated(&text, 1);
+        let object: Value = serde_json::from_str(&out).unwrap();
+        let why = format!("the computed shot, {outcome}, has no {column}");
+        assert_eq!(
+            (&object["refused"], &object["rows"][0]["refused"]),
+            (&1.into(), &why.clone().into())
+        );
+        assert!(told.contains(&format!("line 2: {why}")), "{told}");
+    }
+}
+
 /// The literal beginning of a file, with whatever such tables have: other units, blanks, UTS below Y, 45 deg, concrete, no closure.
 #[test]
 fn a_table_of_many_rows_gives_no_refusals() {

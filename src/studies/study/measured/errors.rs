@@ -29,9 +29,9 @@ pub struct Row {
 pub struct Computed {
     /// Verdict with the limit by the law and the expected limit.
     pub verdict: Verdict,
-    /// Depth, m; `None` if it was not measured or does not exist.
+    /// Depth, m; `None` if it was not measured.
     pub depth_m: Option<f64>,
-    /// Residual velocity, m/s; `None` if it was not measured or does not exist.
+    /// Residual velocity, m/s; `None` if it was not measured.
     pub residual_velocity_m_s: Option<f64>,
     /// Quantities of a plate that moves, in the order of [`OUTPUTS`], SI; `None` if one was not measured.
     pub outputs: [Option<f64>; OUTPUTS.len()],
@@ -69,7 +69,8 @@ impl Row {
     }
 }
 
-/// Computes the values for a measurement with the classes of the built-in table.
+/// Computes the values for a measurement with the classes of the built-in table. A row that lacks the value of a measured quantity is
+/// refused.
 fn computed(measurement: &Measurement) -> Result<Computed, String> {
     let scene = measurement.scene.as_ref().map_err(String::clone)?;
     let Measured { limit_m_s, depth_m, residual_velocity_m_s, outputs, .. } = measurement.measured;
@@ -91,13 +92,18 @@ fn computed(measurement: &Measurement) -> Result<Computed, String> {
             outputs[at].and_then(|_| find(OUTPUTS[at].0)?.value(run.as_ref()?))
         }),
     };
-    let lacks = |at: &usize| outputs[*at].is_some() && computed.outputs[*at].is_none();
-    if let Some(at) = (0..OUTPUTS.len()).find(lacks) {
+    // A quantity that is measured but not computed would be missing in all statistics: the row is refused.
+    let shot = [
+        ("depth_m", depth_m, computed.depth_m),
+        ("residual_velocity_m_s", residual_velocity_m_s, computed.residual_velocity_m_s),
+    ];
+    let of_plate = (0..OUTPUTS.len()).map(|at| (OUTPUTS[at].0, outputs[at], computed.outputs[at]));
+    let mut pairs = shot.into_iter().chain(of_plate);
+    if let Some((name, ..)) =
+        pairs.find(|(_, measured, found)| measured.is_some() && found.is_none())
+    {
         let outcome = run.as_ref().map_or("not computed", |run| run.shot_outcome().word());
-        return Err(format!("the computed shot, {outcome}, has no {}", OUTPUTS[at].0));
-    }
-    if depth_m.is_some() && computed.depth_m.is_none() {
-        return Err("the computed shot has no depth: it perforates".to_owned());
+        return Err(format!("the computed shot, {outcome}, has no {name}"));
     }
     Ok(computed)
 }
