@@ -7,6 +7,7 @@ use clap::Args;
 use crate::cli::CliError;
 use crate::cli::study::{StudyArguments, axes};
 use crate::cli::value_parsers::count;
+use cmra_engine::model::scene::Scene;
 use cmra_studies::report::front::{self, page};
 use cmra_studies::study::search::front::{
     Constraint, Objective, Request, SAMPLES, default_bounds, run as search,
@@ -14,7 +15,7 @@ use cmra_studies::study::search::front::{
 
 #[derive(Debug, Args)]
 #[command(after_help = "QUANTITY is any quantity: `cmra explain` lists all. \
-    Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised.\n\
+    Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised; of a stack the depth.\n\
     Only feasible designs count (`--no-feasibility` switches this off): the shot is slower than the band of the limit where such shots were \
     measured, its own run is not perforated, and the run has no warning that the answer errs on the unsafe side, such as an interface, a spring \
     or a stop that does not carry its load, or a plate's face below 3 diameters.\n\
@@ -56,12 +57,12 @@ pub(super) struct OptimiseArguments {
 }
 
 impl OptimiseArguments {
-    fn request(&self) -> Result<Request, CliError> {
+    fn request(&self, scene: &Scene) -> Result<Request, CliError> {
         let small = self.minimise.iter().map(|name| Objective::new(name, false));
         let great = self.maximise.iter().map(|name| Objective::new(name, true));
         let mut objectives: Vec<Objective> = small.chain(great).collect::<Result<_, _>>()?;
         if objectives.is_empty() {
-            objectives = Objective::usual();
+            objectives = Objective::usual_for(scene);
         }
         let read = |text: &String| {
             let refuse = |why| CliError::Option(format!("--subject-to {text}: {why}"));
@@ -82,8 +83,8 @@ impl OptimiseArguments {
 
 /// Runs the search; exit status 1 if no design satisfies every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
-    let request = arguments.request()?;
     let preset = arguments.study.load()?;
+    let request = arguments.request(&preset.scene)?;
     let (front, extent) =
         arguments.study.run("runs", |context| search(&preset.scene, &request, context));
     let front = front?;

@@ -254,8 +254,10 @@ fn the_verdict_of_a_stack_stands_above_its_first_element() {
 #[test]
 fn studies_refuse_results_that_a_stack_lacks() {
     for (command, arguments) in [
-        ("optimise", &["--samples", "64"][..]),
+        ("optimise", &["--minimise", "stroke_m"][..]),
         ("optimise", &["--minimise", "final_penetration_m", "--subject-to", "stroke_m<=1"]),
+        ("sweep", &["--over", "v_i=200,250", "--outputs", "final_penetration_m,stroke_m"]),
+        ("sweep", &["--over", "v_i=200,250", "--outputs", "stroke_m", "--csv", "-"]),
         ("montecarlo", &["--outputs", "stroke_m"]),
         ("montecarlo", &["--outputs", "final_penetration_m,stroke_m"]),
     ] {
@@ -263,4 +265,15 @@ fn studies_refuse_results_that_a_stack_lacks() {
         let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
         assert!(text.contains("stroke: a stack has none; take final_penetration_m"), "{text}");
     }
+}
+
+/// Without a goal or an output, a study takes those that a stack has.
+#[test]
+fn the_default_results_of_a_stack_are_those_it_has() {
+    let front = says("optimise", &["array-stacked", "--samples", "64", "--json"], 0).0;
+    let front: serde_json::Value = serde_json::from_str(&front).unwrap();
+    let designs = front["designs"].as_array().unwrap();
+    assert!(designs.iter().all(|it| it["final_penetration_m"].is_f64()), "{front}");
+    let page = says("sweep", &["array-stacked", "--over", "v_i=200,250"], 0).0;
+    assert!(page.contains("final depth") && !page.contains("no value anywhere"), "{page}");
 }

@@ -7,7 +7,7 @@ use crate::files::preset::Preset;
 use cmra_engine::model::scene::Scene;
 use cmra_studies::report::sweep::Columns;
 use cmra_studies::study::quantities::of_every_run;
-use cmra_studies::study::sweep::{Axis, COUNTS, DEFAULT_OUTPUTS, Plan};
+use cmra_studies::study::sweep::{Axis, COUNTS, Plan, StudyError, default_outputs};
 
 /// Arguments for the points of a sweep and the outputs at each.
 #[derive(Debug, Args)]
@@ -39,7 +39,13 @@ impl PointArguments {
             axes.collect::<Result<Vec<_>, _>>()?
         };
         let (outputs, columns) = self.outputs(scene, is_page);
-        Ok((Plan::new(scene, axes, &outputs)?, columns))
+        let plan = Plan::new(scene, axes, &outputs)?;
+        if columns == Columns::Chosen && outputs != default_outputs(scene) {
+            // The base has the values of the axes, which can make a stack of the scene.
+            let mut chosen = plan.outputs().iter();
+            chosen.try_for_each(|it| it.check_exists(plan.base())).map_err(StudyError::from)?;
+        }
+        Ok((plan, columns))
     }
 
     fn outputs(&self, scene: &Scene, is_page: bool) -> (Vec<String>, Columns) {
@@ -48,7 +54,10 @@ impl PointArguments {
         match (&self.outputs[..], kept) {
             ([only], _) if only == "all" => (every(), Columns::All),
             ([], Some(kept)) => (kept.clone(), Columns::Chosen),
-            ([], None) if is_page => (DEFAULT_OUTPUTS.map(str::to_owned).to_vec(), Columns::Chosen),
+            ([], None) if is_page => (
+                default_outputs(scene).iter().map(|it| (*it).to_owned()).collect(),
+                Columns::Chosen,
+            ),
             ([], None) => (every(), Columns::All),
             (named, _) => (named.to_vec(), Columns::Chosen),
         }

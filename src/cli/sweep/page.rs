@@ -5,7 +5,7 @@ use cmra_studies::report::figures::sweeps::picture;
 use cmra_studies::report::svg::Picture;
 use cmra_studies::report::sweep::Columns;
 use cmra_studies::study::sweep::grid::Grid;
-use cmra_studies::study::sweep::{DEFAULT_OUTPUTS, Plan};
+use cmra_studies::study::sweep::{Plan, default_outputs};
 
 /// Maximum number of points kept in memory for charts; a larger sweep has only a summary.
 pub(in crate::cli) const KEPT_MAX: u64 = 250_000;
@@ -19,8 +19,8 @@ pub(super) fn is_drawable(plan: &Plan) -> bool {
 pub(super) fn pictures(kept: Option<&Grid>, columns: Columns) -> Vec<Picture> {
     let Some(grid) = kept.filter(|grid| grid.is_complete()) else { return Vec::new() };
     let all = grid.plan().outputs();
-    let wanted =
-        |output: &usize| columns == Columns::Chosen || DEFAULT_OUTPUTS.contains(&all[*output].name);
+    let usual = default_outputs(grid.plan().base());
+    let wanted = |output: &usize| columns == Columns::Chosen || usual.contains(&all[*output].name);
     (0..all.len()).filter(wanted).filter_map(|output| picture(grid, output)).collect()
 }
 

@@ -403,9 +403,14 @@ impl Quantity {
         own().filter(|value| has && value.is_finite())
     }
 
-    /// Checks that the quantity exists for the scene; a stack lacks some quantities.
-    pub(in crate::study) fn check_exists(&self, scene: &Scene) -> Result<(), QuantityError> {
-        if self.has(OfStack) || !scene.is_stack() {
+    /// Returns `true` if the quantity exists for the scene; a stack lacks some quantities.
+    pub fn exists(&self, scene: &Scene) -> bool {
+        self.has(OfStack) || !scene.is_stack()
+    }
+
+    /// Checks that the quantity exists for the scene.
+    pub fn check_exists(&self, scene: &Scene) -> Result<(), QuantityError> {
+        if self.exists(scene) {
             return Ok(());
         }
         Err(QuantityError::NotOfStacks { title: self.title(), instead: OF_STACKS })

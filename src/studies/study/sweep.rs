@@ -32,6 +32,11 @@ pub const AXES_MAX: usize = 12;
 /// Default outputs: the two results of the thesis's figures.
 pub const DEFAULT_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
 
+/// Returns the default outputs for a scene; for a stack its depth.
+pub fn default_outputs(scene: &Scene) -> &'static [&'static str] {
+    if scene.is_stack() { &["final_penetration_m"] } else { &DEFAULT_OUTPUTS }
+}
+
 /// Part of a sweep: every `count`-th point, starting with point `index` (counted from 1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {

@@ -18,6 +18,7 @@ use cmra_studies::study::search::front::{self, Design, FrontReport};
 use cmra_studies::study::sweep::PointOutcome;
 use cmra_studies::study::sweep::default_axes::{or_usual, thesis_axes};
 
+use cmra::files::preset;
 use cmra::tui::keymap::Tab;
 use cmra::tui::message::Message;
 use cmra::tui::pages::search;
@@ -456,4 +457,16 @@ fn what_an_absorber_uses_can_be_varied_and_any_quantity_bounded() {
     assert_eq!(other.app.pages.search.setup.subject_to, bench.app.pages.search.setup.subject_to);
     bench.press("<Enter><C-u>stroke_m=1<Enter>");
     assert!(bench.screen().contains("write QUANTITY<=VALUE"), "{}", bench.screen());
+}
+
+/// A stack lacks three of the four goals, and the stroke that is bounded by default.
+#[test]
+fn the_front_of_a_stack_has_the_goals_that_a_stack_has() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.scene = Arc::new(preset::resolve("array-stacked", None).unwrap().scene);
+    let SearchRequest::Front(request) = bench.app.search_request(Page::Front).unwrap() else {
+        panic!("another study");
+    };
+    let names = request.measures().iter().map(|it| it.name).collect::<Vec<_>>();
+    assert_eq!(names, ["final_penetration_m"]);
 }

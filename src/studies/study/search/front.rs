@@ -57,6 +57,11 @@ impl Objective {
     pub fn usual() -> Vec<Self> {
         DEFAULT.iter().filter_map(|name| Self::new(name, false).ok()).collect()
     }
+
+    /// Returns the objectives of [`DEFAULT`] that exist for a scene; a stack has one.
+    pub fn usual_for(scene: &Scene) -> Vec<Self> {
+        Self::usual().into_iter().filter(|it| it.measure.exists(scene)).collect()
+    }
 }
 
 /// Request for a Pareto front.

@@ -14,7 +14,7 @@ use crate::worker::studies::{PictureSweep, RequestVariant};
 use cmra_engine::model::scene::{Scene, Sweep, SweepAxis};
 use cmra_engine::model::variables;
 use cmra_studies::study::sweep::grid::Grid;
-use cmra_studies::study::sweep::{Axis, DEFAULT_OUTPUTS};
+use cmra_studies::study::sweep::{Axis, default_outputs};
 
 pub use crate::tui::widgets::axis::Part;
 pub use crate::worker::studies::ChartKind;
@@ -90,7 +90,7 @@ pub(super) fn completed(scene: &Scene, mut sweep: Sweep) -> Sweep {
         }
     }
     if sweep.outputs.is_empty() {
-        sweep.outputs = DEFAULT_OUTPUTS.map(str::to_owned).to_vec();
+        sweep.outputs = default_outputs(scene).iter().map(|it| (*it).to_owned()).collect();
     }
     sweep
 }

@@ -13,6 +13,7 @@ use crate::tui::pages::search::study_page::{Answer, note};
 use crate::worker::studies::SearchRequest;
 use cmra_studies::report::front::{lacks, name, page_keys, table, unheld, warnings};
 use cmra_studies::report::table::Cells;
+use cmra_studies::study::quantities::named;
 use cmra_studies::study::search::front::{self, DEFAULT, Design, FrontReport, Objective};
 use cmra_studies::study::sweep;
 use cmra_studies::study::validity::counted;
@@ -26,7 +27,8 @@ pub(super) const STUDY: Study = Study {
 
 fn rows(app: &App) -> Vec<Row> {
     let mut rows = vec![Row::Heading("Minimise")];
-    rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
+    let exists = |at: &usize| named(DEFAULT[*at]).is_ok_and(|it| it.exists(&app.scene));
+    rows.extend((0..OBJECTIVES.len()).filter(exists).map(Row::Objective));
     rows.extend([Row::Bounds, Row::Feasible, Row::Heading("Vary")]);
     rows.extend(app.bound_rows());
     rows.extend([Row::Heading("Effort"), Row::Designs]);
@@ -40,6 +42,8 @@ fn request(app: &App) -> Result<SearchRequest, String> {
     let objectives = chosen.map(|(name, _)| Objective::new(name, false));
     let objectives: Vec<Objective> =
         objectives.collect::<Result<_, _>>().map_err(|error| error.to_string())?;
+    let exists = |it: &Objective| it.measure.exists(&app.scene);
+    let objectives: Vec<Objective> = objectives.into_iter().filter(exists).collect();
     if objectives.is_empty() {
         return Err(
             "no objective is chosen: <right> on depth, stroke, mass or mount force".to_owned()
@@ -48,7 +52,7 @@ fn request(app: &App) -> Result<SearchRequest, String> {
     Ok(SearchRequest::Front(front::Request {
         over,
         objectives,
-        subject_to: setup.subject_to.clone(),
+        subject_to: app.search_constraints(),
         is_feasible: setup.feasible,
         samples: setup.designs,
     }))

@@ -8,7 +8,7 @@ use crate::worker::studies::SearchRequest;
 use cmra_engine::model::units;
 use cmra_engine::model::variables::{self, Group, Value, Variable};
 use cmra_studies::study::quantities::{QUANTITIES, Quantity, named};
-use cmra_studies::study::search::front::{Constraint, DEFAULT};
+use cmra_studies::study::search::front::{self, Constraint, DEFAULT};
 use cmra_studies::study::sweep::default_axes::thesis_axes;
 use cmra_studies::study::sweep::{Axis, COUNTS, Spacing};
 
@@ -137,7 +137,7 @@ impl App {
 
     /// Returns the row of the constraints, in the units of screens.
     fn constraints_line(&self) -> FormRow {
-        let each = &self.pages.search.setup.subject_to;
+        let each = &self.search_constraints();
         let written = |of: &dyn Fn(&Constraint) -> String| {
             let each: Vec<String> = each.iter().map(of).collect();
             if each.is_empty() { "none".to_owned() } else { each.join(", ") }
@@ -154,6 +154,14 @@ impl App {
         );
         let quantity = Some(FieldQuantity { unit, variable: None });
         FormRow { text: Some(text), quantity, ..FormRow::choice("bounds", shown) }.means(meaning)
+    }
+
+    /// Returns the constraints; of the default ones those that exist for the scene.
+    pub(super) fn search_constraints(&self) -> Vec<Constraint> {
+        let usual = front::Request::default().subject_to;
+        let mut constraints = self.pages.search.setup.subject_to.clone();
+        constraints.retain(|it| it.measure.exists(&self.scene) || !usual.contains(it));
+        constraints
     }
 
     /// Builds the request of a page's setup.
