@@ -75,13 +75,13 @@ fn rows_after_the_end_of_the_run_are_counted() {
     fs::write(&path, format!("time [us],plate displacement [mm]\n{rows}")).unwrap();
     let with = ["--with", path.to_str().unwrap()];
     let trace = json("run", &with)["with"]["traces"][0].clone();
-    assert_eq!((&trace["rows"], &trace["rows_left_out"]), (&4.into(), &1.into()));
+    assert_eq!((&trace["rows"], &trace["omitted_rows"]), (&4.into(), &1.into()));
     let (page, _) = says("run", &with, 0);
     let words = page.split_whitespace().collect::<Vec<_>>().join(" ");
-    let told = "1 of 5 rows is left out, since the run, which ends at 1.275 ms, has no value then: peak and end are those of the rows compared; run longer";
+    let told = "1 of 5 rows is omitted, since the run, which ends at 1.275 ms, has no value then: peak and end are those of the rows compared; run longer";
     assert!(words.contains(told), "{page}");
     let (page, _) = says("run", &["--set", "horizon=6ms", with[0], with[1]], 0);
-    assert!(!page.contains("left out"), "{page}");
+    assert!(!page.contains("of 5 rows"), "{page}");
 }
 
 /// The workbench without a terminal prints the same.

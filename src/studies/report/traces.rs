@@ -86,7 +86,7 @@ pub struct Difference {
 type Row<'c> = (&'c Trace, Option<Difference>);
 
 /// Number of rows of a trace at which the run has no value, mostly after its end.
-fn left_out(row: &Row<'_>) -> usize {
+fn omitted(row: &Row<'_>) -> usize {
     row.0.points.len() - row.1.map_or(0, |it| it.rows)
 }
 
@@ -251,7 +251,7 @@ impl Traces {
             .with("quantity", "quantity", "", |row| row.0.channel.title().to_lowercase())
             .with("unit", "unit", "", |row| row.0.channel.unit())
             .with("rows", "rows compared", "", |row| row.1.map(|it| it.rows))
-            .field("rows_left_out", left_out);
+            .field("omitted_rows", omitted);
         let table = with(table, ("from_s", "from"), |it| it.times_s.0, true);
         let table = with(table, ("to_s", "to"), |it| it.times_s.1, true);
         let table = with(table, ("measured_peak", "peak, measured"), |it| it.measured.peak, false);
@@ -284,7 +284,7 @@ impl Traces {
     pub fn compare(&self, page: &mut Page, run: &Run) {
         let (compared, others): (Vec<_>, Vec<_>) = self.rows(run).partition(|row| row.1.is_some());
         page.heading(format!("beside {} (computed less measured)", self.name));
-        let counts = compared.iter().map(|row| (&row.0.heading, left_out(row), row.0.points.len()));
+        let counts = compared.iter().map(|row| (&row.0.heading, omitted(row), row.0.points.len()));
         let partly: Vec<_> = counts.filter(|it| it.1 > 0).collect();
         if !compared.is_empty() {
             let table = Self::table(compared);
@@ -293,10 +293,10 @@ impl Traces {
         }
         let end_s = run.series.last().map_or(0.0, |row| row.t_s);
         let end = engineering(end_s, "s", 4);
-        for (heading, left_out, all) in partly {
-            let are = if left_out == 1 { "is" } else { "are" };
+        for (heading, omitted, all) in partly {
+            let are = if omitted == 1 { "is" } else { "are" };
             page.line(format!(
-                "{heading}: {left_out} of {all} rows {are} left out, since the run, which ends at {end}, has no value then: \
+                "{heading}: {omitted} of {all} rows {are} omitted, since the run, which ends at {end}, has no value then: \
                  peak and end are those of the rows compared; run longer with --set horizon=TIME"
             ));
         }

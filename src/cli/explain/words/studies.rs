@@ -141,7 +141,7 @@ pub(super) const WORDS: &[Entry] = &[
         "ranges of the variables that a study varies, and limits that a design has to keep",
     ),
     (&["rows compared", "compared"], "points of a measured trace that were compared with the run"),
-    (&["rows_left_out"], "points of a measured trace at times when the run has no value"),
+    (&["omitted_rows"], "points of a measured trace at times when the run has no value"),
     (
         &["steps", "step", "accepted", "rejected"],
         "accepted time steps of a run; rejected steps are repeated with a smaller size",

@@ -246,8 +246,10 @@ impl Recorder {
                             + equations.carried_weight_n())
             };
             let gaps_n = path.looks.each_ref().map(gap_n);
+            if gaps_n[0] < 0.0 {
+                return path.looks[0].t_s;
+            }
             match first_crossing(&[gaps_n], true, |part, _| gap_n(&path.at(part))) {
-                _ if gaps_n[0] < 0.0 => path.looks[0].t_s,
                 EventSearch::Fall(_, part) => path.at(part).t_s,
                 EventSearch::Nothing | EventSearch::Unresolved(_) => path.end().t_s,
             }

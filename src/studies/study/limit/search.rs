@@ -210,15 +210,23 @@ impl ShotRunner<'_, '_, '_> {
         self.close_undecided(limit).unwrap_or(Limit::Unknown)
     }
 
-    /// Closes in on the slowest undecided shot from the fastest one that is known to be stopped.
+    /// Closes in on the slowest undecided shot from the fastest one that is known to be stopped. A perforation between them lowers the limit.
     fn close_undecided(&mut self, limit: Limit) -> Option<Limit> {
         let Some(mut undecided_m_s) = limit.undecided_at_m_s() else { return Some(limit) };
         let slower = self.stopped_m_s.iter().filter(|it| **it < undecided_m_s);
         let mut stopped_m_s = slower.copied().fold(RANGE_M_S.0, larger);
         while undecided_m_s - stopped_m_s > UNDECIDED_WIDTH * undecided_m_s {
             let between_m_s = 0.5 * (stopped_m_s + undecided_m_s);
-            let is_stopped = self.verdict(between_m_s)? == ShotOutcome::Stopped;
-            *(if is_stopped { &mut stopped_m_s } else { &mut undecided_m_s }) = between_m_s;
+            match self.verdict(between_m_s)? {
+                ShotOutcome::Stopped => stopped_m_s = between_m_s,
+                ShotOutcome::Undecided => undecided_m_s = between_m_s,
+                ShotOutcome::Perforated => {
+                    let below = (stopped_m_s, ShotOutcome::Stopped);
+                    let lower = self.closed_in(below, between_m_s)?;
+                    let again = self.stopped_m_s.iter().copied().filter(|it| *it > between_m_s);
+                    return self.close_undecided(lower.stopped_again(again.reduce(smaller)));
+                }
+            }
         }
         Some(limit.above_undecided(undecided_m_s))
     }

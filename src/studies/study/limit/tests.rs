@@ -39,12 +39,15 @@ fn valid_limits_in_closed_form_by_outcome() {
 }
 
 /// The plate moves by some 10 nm: its limit is that of a rigid mount, and its spring swings a million times a second. Where the work of the
-/// search ends before a shot does, nothing is said of it.
+/// search ends before a shot does, nothing is said of it; a shot that the limit calls undecided is not known to perforate.
 #[test]
 fn valid_no_shot_above_an_undecided_one_counts_as_stopped() {
     let rigid_m_s = 232.295_378;
     for n in [0.15, 0.2, 0.25] {
         let limit = found(&format!("gamma=1 k=1e6 n={n}")).limit;
+        if let Some(undecided_m_s) = limit.undecided_at_m_s() {
+            assert!(undecided_m_s <= rigid_m_s * 1.0001, "{n} {limit:?}");
+        }
         assert_eq!(limit.outcome_at(200.0), Some(Outcome::Arrested), "{n}");
         for part in [1.0001, 1.01, 1.05, 1.1, 1.15] {
             assert_ne!(
