@@ -117,8 +117,8 @@ mod tests {
         (Rule::SpringTurns, "gamma=1 spring=bistable", Difference::Work(1.5)),
         (
             Rule::Creep,
-            "m=0.5025 k=8.2383e3 b=712.45 gamma=13 v_i=15.8984 n=1.861 interface=plastic g=0 d=0.092 x_stop=0.0347",
-            BUDGET,
+            "m=0.46 n=3 k=7.56e5 b=619 gamma=3.35 v_i=19.7 interface=plastic g=0",
+            Difference::Work(3.0),
         ),
         (
             Rule::Balance,
