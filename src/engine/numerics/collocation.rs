@@ -423,11 +423,16 @@ impl<const S: usize> RadauIia<S> {
         h: f64,
         stages: &Stages<D, S>,
     ) -> Step<D, S> {
-        let points = self.points(start, h, stages);
-        let speeds = by_place(|i| points[i].1);
-        let coefficients =
-            |values: &Stages<D, S>| values.each_ref().map(|values| times(&self.modes, values));
-        Step::new(h, [start, points[S - 1]], &coefficients(&speeds), coefficients(stages))
+        let acceleration = stages.each_ref().map(|stages| times(&self.modes, stages));
+        // All but the first two Legendre polynomials have no mean and no first moment.
+        let end = (
+            array::from_fn(|d| {
+                let change = 0.5 * acceleration[d][0] - acceleration[d][1] / 6.0;
+                start.0[d] + h * (start.1[d] + h * change)
+            }),
+            array::from_fn(|d| start.1[d] + h * acceleration[d][0]),
+        );
+        Step::new(h, [start, end], acceleration)
     }
 }
 

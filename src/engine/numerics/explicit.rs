@@ -135,7 +135,7 @@ fn through<const D: usize>(
     end: Point<D>,
     [first, last]: [[f64; D]; 2],
 ) -> Step<D, COEFFICIENTS> {
-    let (mut acceleration, mut speed) = ([[0.0; COEFFICIENTS]; D], [[0.0; COEFFICIENTS]; D]);
+    let mut acceleration = [[0.0; COEFFICIENTS]; D];
     for d in 0..D {
         // Legendre coefficients of the acceleration: its mean gives the change of velocity, its first moment the change of position.
         let mean = (end.1[d] - start.1[d]) / h;
@@ -148,15 +148,8 @@ fn through<const D: usize>(
         let twist = if is_resolved { from_places } else { 0.0 };
         let tilt = 0.5 * (last[d] - first[d]) - twist;
         acceleration[d] = [mean, tilt, bend, twist, 0.0];
-        speed[d] = [
-            start.1[d] + h * (0.5 * mean - tilt / 6.0),
-            h * (0.5 * mean - bend / 10.0),
-            h * (tilt / 6.0 - twist / 14.0),
-            h * bend / 10.0,
-            h * twist / 14.0,
-        ];
     }
-    Step::new(h, [start, end], &speed, acceleration)
+    Step::new(h, [start, end], acceleration)
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Interface between second-order differential equations and one-step methods; dense output of a step.
 
+use std::array;
+
 use crate::numerics::quadrature::legendre;
 
 /// Square matrix.
@@ -79,16 +81,15 @@ pub(crate) struct Step<const D: usize, const S: usize> {
 }
 
 impl<const D: usize, const S: usize> Step<D, S> {
-    /// Creates a step from Legendre coefficients of velocity and acceleration.
-    pub(crate) fn new(
-        h: f64,
-        [start, end]: [Point<D>; 2],
-        speed: &[[f64; S]; D],
-        acceleration: [[f64; S]; D],
-    ) -> Self {
+    /// Creates a step from the Legendre coefficients of the acceleration.
+    ///
+    /// The velocity is their integral. Its highest degree `S` counts as degree `S - 1` for the positions: at the nodes of Radau's rule these
+    /// Legendre polynomials are equal.
+    pub(crate) fn new(h: f64, [start, end]: [Point<D>; 2], acceleration: [[f64; S]; D]) -> Self {
         // A method with more stages would lose its highest degrees here.
         const { assert!(S <= STAGES_MAX) };
         let mut powers = [([0.0; D], [0.0; D]); S];
+        let speed: [[f64; S]; D] = array::from_fn(|d| integral(start.1[d], h, &acceleration[d]));
         for (k, integral) in INTEGRALS.iter().enumerate().take(S) {
             for ((places, speeds), of_x) in powers.iter_mut().zip(integral) {
                 for d in 0..D {
@@ -107,10 +108,26 @@ impl<const D: usize, const S: usize> Step<D, S> {
         let changed = sums(&self.powers, 2.0 * theta - 1.0);
         let after = |get: fn(&Point<D>) -> &[f64; D]| {
             let [start, changed, at_start] = [&self.start, &changed, &self.at_start].map(get);
-            std::array::from_fn(|d| start[d] + (changed[d] - at_start[d]))
+            array::from_fn(|d| start[d] + (changed[d] - at_start[d]))
         };
         (after(|point| &point.0), after(|point| &point.1))
     }
+}
+
+/// Returns the Legendre coefficients of the integral over a step of size `h`, with degree `S` added to `S - 1`.
+fn integral<const S: usize>(start: f64, h: f64, coefficients: &[f64; S]) -> [f64; S] {
+    let mut integral = [0.0; S];
+    integral[0] = start;
+    for (k, value) in coefficients.iter().enumerate() {
+        let part = h * value / (4 * k + 2) as f64;
+        integral[usize::min(k + 1, S - 1)] += part;
+        if k > 0 {
+            integral[k - 1] -= part;
+        } else {
+            integral[0] += part;
+        }
+    }
+    integral
 }
 
 /// Evaluates the polynomials with coefficients of x, x² and so on.
@@ -186,7 +203,7 @@ pub(super) mod tests {
     #[test]
     fn valid_places_are_the_integrals_of_the_speeds_and_these_of_the_accelerations() {
         let ends = [([5.0], [1.0]); 2];
-        let step = Step::new(3.0, ends, &[[0.0, 0.0, 1.0]], [[0.0, 2.0, 0.0]]);
+        let step = Step::new(3.0, ends, [[0.0, 2.0, 0.0]]);
         for theta in [0.0, 0.25, 0.5, 1.0] {
             let (place, speed) = step.at(theta);
             let exact = 1.0 + 6.0 * (theta * theta - theta);
@@ -204,7 +221,7 @@ pub(super) mod tests {
     fn valid_the_highest_degree_of_the_longest_method_is_in_its_states() {
         let mut acceleration = [[0.0; STAGES_MAX]];
         acceleration[0][STAGES_MAX - 1] = 1.0;
-        let step = Step::new(3.0, [([0.0], [0.0]); 2], &[[0.0; STAGES_MAX]], acceleration);
+        let step = Step::new(3.0, [([0.0], [0.0]); 2], acceleration);
         for theta in [0.1, 0.25, 0.6] {
             let p = legendre::<{ STAGES_MAX + 1 }>(2.0 * theta - 1.0);
             let exact = 3.0 * (p[STAGES_MAX] - p[STAGES_MAX - 2]) / (4 * STAGES_MAX - 2) as f64;
@@ -217,7 +234,7 @@ pub(super) mod tests {
     #[test]
     fn valid_a_step_begins_exactly_where_it_begins() {
         let start = ([0.1], [0.3]);
-        let step = Step::new(0.7, [start; 2], &[[0.3, 0.2, 0.1]], [[0.9, 0.5, 0.7]]);
+        let step = Step::new(0.7, [start; 2], [[0.9, 0.5, 0.7]]);
         assert_eq!(step.at(0.0), start);
     }
 }
