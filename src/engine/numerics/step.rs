@@ -63,6 +63,13 @@ pub(crate) struct StagePredictor<const D: usize, const S: usize> {
     pub(crate) over: f64,
 }
 
+impl<const D: usize, const S: usize> StagePredictor<D, S> {
+    /// Returns `true` if the predicted step is the beginning of the one whose acceleration this is.
+    pub(crate) fn is_beginning(&self) -> bool {
+        self.from == 0.0 && self.over <= 1.0
+    }
+}
+
 /// Step with dense output: polynomials in the fraction theta of the step, 0 to 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Step<const D: usize, const S: usize> {
