@@ -90,12 +90,10 @@ impl ImpactRun<'_> {
         let slips = is_joined
             && setup.interface.is_plastic
             && (0..2).any(|way| bounds[way] > limits_n[way]);
-        let back_m = mode.elastic.reach(equations.displacement_m(state.x_m), energy_j, -1.0);
+        let [back_m, reach_m] = equations.range_m(state, energy_j);
         let exceeds =
             is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
-        let reach_m = equations.max_reachable_displacement_m(state, energy_j);
-        let least_j = mode.elastic.least_energy(back_m, reach_m);
-        let speed_m_s = (2.0 * (energy_j - least_j) / equations.moving_kg()).sqrt();
+        let speed_m_s = equations.greatest_speed_m_s(state, energy_j);
         let damped_j = setup.damper.force(speed_m_s) * (reach_m - back_m);
         let is_conserved = (setup.damper.is_absent() || damped_j <= NEGLIGIBLE * energy_j)
             && !slips

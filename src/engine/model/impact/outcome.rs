@@ -76,19 +76,30 @@ impl Equations<'_> {
         state.w_m_s <= 0.0 && self.mode.elastic.is_slack(f64::NEG_INFINITY, x_m)
     }
 
+    /// Returns an upper bound of the speed of the plate (with the projectile if fused) with a given energy, m/s: by the energy, and by the
+    /// damper, which slows down what is faster than its balance with the greatest force of spring, elastic stop and weight.
+    pub(super) fn greatest_speed_m_s(&self, state: &State, energy_j: f64) -> f64 {
+        let Equations { setup, mode } = self;
+        let [back_m, reach_m] = self.range_m(state, energy_j);
+        let free_j = larger(energy_j - mode.elastic.least_energy(back_m, reach_m), 0.0);
+        let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
+        let balance_m_s = setup.damper.at_force(larger(most_n, -least_n));
+        smaller((2.0 * free_j / self.moving_kg()).sqrt(), larger(state.w_m_s.abs(), balance_m_s))
+    }
+
+    /// Returns the displacements between which the plate stays with a given energy, m from the zero of the spring.
+    pub(super) fn range_m(&self, state: &State, energy_j: f64) -> [f64; 2] {
+        let back_m = self.mode.elastic.reach(self.displacement_m(state.x_m), energy_j, -1.0);
+        [back_m, self.max_reachable_displacement_m(state, energy_j)]
+    }
+
     /// Returns upper bounds of the compression and the tension of the fused interface with a given energy, N.
     pub(super) fn peak_load_bounds_n(&self, state: &State, energy_j: f64) -> [f64; 2] {
         let Equations { setup, mode } = self;
         let has_nothing = mode.spring.is_absent() && !setup.has_stop();
-        let speed = if has_nothing && setup.weight_n > 0.0 {
-            // Terminal velocity: the damper balances the weight.
-            larger(state.w_m_s.abs(), setup.damper.at_force(self.joined_weight_n()))
-        } else {
-            (2.0 * energy_j / self.moving_kg()).sqrt()
-        };
-        let back_m = mode.elastic.reach(self.displacement_m(state.x_m), energy_j, -1.0);
-        let reach_m = self.max_reachable_displacement_m(state, energy_j);
+        let [back_m, reach_m] = self.range_m(state, energy_j);
         let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
+        let speed = self.greatest_speed_m_s(state, energy_j);
         let stop_n =
             if reach_m > setup.stop.position_m { setup.stop.damping_n_s_m * speed } else { 0.0 };
         let damper_n = setup.damper.force(speed);
@@ -112,16 +123,17 @@ impl Equations<'_> {
                 && self.accelerations(state).1.abs() <= self.rounding(state).1
                 && Rule::Balance.applies()
         };
-        self.plate_rests() || self.creeps(state) || is_balanced()
+        self.plate_rests() || is_balanced()
     }
 
     /// Returns the energy below which the bodies cannot separate at more than the negligible velocity, J.
     fn parting_j(&self) -> f64 {
-        if !Rule::Parting.applies() {
-            return 0.0;
-        }
-        let slow_m_s = RESOLUTION * self.setup.reference.velocity_m_s;
-        0.5 * self.setup.mass.projectile_kg * slow_m_s * slow_m_s
+        0.5 * self.setup.mass.projectile_kg * self.parting_m_s() * self.parting_m_s()
+    }
+
+    /// Returns the negligible velocity at which bodies separate, m/s.
+    fn parting_m_s(&self) -> f64 {
+        if Rule::Parting.applies() { RESOLUTION * self.setup.reference.velocity_m_s } else { 0.0 }
     }
 
     /// Returns `true` if the remaining energy cannot part the bodies or the fused bodies are in equilibrium.
@@ -257,7 +269,8 @@ impl Equations<'_> {
         }
         let (limit_push_n, limit_pull_n) = self.limit_loads_n(state);
         let [peak_push_n, peak_pull_n] = self.peak_load_bounds_n(state, energy_j);
-        if peak_push_n <= limit_push_n && peak_pull_n <= limit_pull_n {
+        let cannot_part = self.greatest_speed_m_s(state, energy_j) < self.parting_m_s();
+        if peak_push_n <= limit_push_n && (peak_pull_n <= limit_pull_n || cannot_part) {
             return true;
         }
         // The following bound does not include the weight.
@@ -347,8 +360,7 @@ impl Equations<'_> {
         }
         let v = setup.projectile_m_s(state);
         let energy_j = self.energy_j(state);
-        let speed = (2.0 * energy_j / setup.mass.plate_kg).sqrt();
-        if v < -speed * setup.cos {
+        if v < -self.greatest_speed_m_s(state, energy_j) * setup.cos {
             return true;
         }
         if mode.spring.is_absent() && !setup.has_stop() {

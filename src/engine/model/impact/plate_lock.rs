@@ -278,18 +278,6 @@ impl Equations<'_> {
         self.rounding(state).1 + off_n / self.moving_kg()
     }
 
-    /// Returns `true` if the plate is out of contact, in the range of the linearised damper, and no force can accelerate it beyond that
-    /// range: its further displacement is negligible.
-    pub(super) fn creeps(&self, state: &State) -> bool {
-        let ImpactParameters { damper, creep_m_s, .. } = *self.setup;
-        Rule::Creep.applies()
-            && self.mode.hold == PlateConstraint::Free
-            && state.w_m_s.abs() < creep_m_s
-            && !self.is_touching()
-            && (self.mechanism_n(state.x_m, 0.0) - self.joined_weight_n()).abs()
-                < damper.force(creep_m_s)
-    }
-
     /// Returns the maximum step size towards a singular zero of the spring or the damper, s; infinite if none is approached, or if the
     /// remainder is negligible.
     pub(super) fn approach_s(&self, state: &State) -> f64 {

@@ -21,8 +21,6 @@ pub(super) enum Rule {
     Overshoot,
     /// Maximum displacement from the energy if only the spring can reverse the plate.
     SpringTurns,
-    /// Rest of a plate in the range of the linearised damper.
-    Creep,
     /// Rest of a plate whose forces balance apart from rounding.
     Balance,
     /// Arrest of fused bodies by a stop that they strike with negligible energy.
@@ -115,11 +113,6 @@ mod tests {
             BUDGET,
         ),
         (Rule::SpringTurns, "gamma=1 spring=bistable", Difference::Work(1.5)),
-        (
-            Rule::Creep,
-            "m=0.46 n=3 k=7.56e5 b=619 gamma=3.35 v_i=19.7 interface=plastic g=0",
-            Difference::Work(3.0),
-        ),
         (
             Rule::Balance,
             "n=0.427011 m=2.11792 k=2.49896e8 b=625.352 d=64.5938mm gamma=2.27376e-3 v_i=8.42649mm/s h=2.8536 theta=63.1568deg \

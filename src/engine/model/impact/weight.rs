@@ -55,7 +55,7 @@ impl Equations<'_> {
 
     /// Returns the force of the fused interface, positive in compression, N.
     pub(super) fn interface_force_n(&self, state: &State) -> f64 {
-        if self.plate_rests() || self.creeps(state) {
+        if self.plate_rests() {
             return self.weight_n();
         }
         self.setup.interface_fraction() * self.mechanism_n(state.x_m, state.w_m_s)

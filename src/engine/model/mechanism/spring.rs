@@ -181,11 +181,15 @@ impl Spring {
             .fold(0.0, larger)
     }
 
-    /// Returns the minimum energy stored between two displacements, J.
+    /// Returns the minimum energy stored between two displacements, J; minus infinity if it decreases without bound.
     pub fn least_energy(&self, low_m: f64, high_m: f64) -> f64 {
         let inside = self.stations_m().0.iter().copied().filter(|x| (low_m..=high_m).contains(x));
         let ends = [low_m, high_m].into_iter().filter(|x| x.is_finite());
-        inside.chain(ends).map(|x| self.energy(x)).fold(f64::INFINITY, smaller)
+        let falls = [low_m, high_m]
+            .iter()
+            .any(|end| end.is_infinite() && sign(*end) * self.force_towards(*end) < 0.0);
+        let lowest = if falls { f64::NEG_INFINITY } else { f64::INFINITY };
+        inside.chain(ends).map(|x| self.energy(x)).fold(lowest, smaller)
     }
 
     /// Returns the displacement that a plate reaches from x with a total energy, forward (1) or backward (-1), m; infinite if the spring
