@@ -4,7 +4,7 @@
 //! `transitions` leads from one to the next, `events` has the event functions of each. `reduced_system` selects the active degrees of
 //! freedom; `plate_lock` locks the plate while a stiff spring holds it. `run` is the integration loop, and `method` lists the methods;
 //! `fused_swing` goes from event to event without steps, `zero_passage` across the singular zero of a spring. `outcome` decides by energy
-//! when the run ends. `dense_output` has the states on a step, `recorder` accumulates rows, work and peak forces (`loads`),
+//! (`energy_bounds`) when the run ends. `dense_output` has the states on a step, `recorder` accumulates rows, work and peak forces (`loads`),
 //! `free_oscillation` what the method damps, `contact_end` how well the end of a contact is known, and `results` builds the [`Run`]. `resolution` has the tolerances that several of them share.
 
 use std::sync::Arc;
@@ -25,6 +25,7 @@ pub use method::IntegrationMethod;
 
 mod contact_end;
 mod dense_output;
+mod energy_bounds;
 mod equations;
 mod events;
 mod free_oscillation;
