@@ -12,6 +12,7 @@ use cmra_engine::model::run::{EstimateBasis, Outcome, Run, RunSnapshot};
 use cmra_engine::model::scene::{InterfaceLaw, Scene};
 use cmra_engine::model::simulate::{Settings, simulate};
 use cmra_engine::numerics::larger;
+use cmra_studies::report::run as report;
 use cmra_studies::study::quantities;
 
 use crate::random::{Random, scene, typed};
@@ -352,4 +353,36 @@ fn a_rigid_or_free_plate_is_held_against_its_closed_form() {
         assert!(run.error_of("peak_contact_force_n").unwrap() <= LEAST, "{changes}");
         assert!(run.estimate.main.unwrap() <= LEAST, "{changes}: {:?}", run.estimate.main);
     }
+}
+
+/// An estimate belongs to a value: where a result is null, its estimate is absent, and that of the depth is null. Over presets, stacks, what
+/// is not measured, and shots drawn at random.
+#[test]
+fn a_result_without_a_value_has_no_error_estimate() {
+    let presets = support::files_in(&support::in_repository("presets"), "toml");
+    let presets = presets
+        .iter()
+        .map(|path| (path.display().to_string(), Arc::new(support::scene_file(path).unwrap())));
+    let thin = "mount=rigid nose=blunt m_p=197g R=10mm rho=7850 closure=cylindrical E=200GPa Y=490MPa UTS=567MPa h=8mm";
+    let named = [format!("{thin} v_i=300"), format!("{thin} v_i=60"), "k=0 v_i=400".to_owned()];
+    let named = named.into_iter().map(|pairs| (pairs.clone(), Arc::new(support::scene(&pairs))));
+    let mut random = Random(SEED);
+    let drawn = std::iter::repeat_with(move || random.changes()).take(SAMPLE / 2);
+    let drawn = drawn.map(|changes| (typed(&changes), scene(&changes)));
+    let (mut nulls, mut found) = (0, 0);
+    for (name, scene) in presets.chain(named).chain(drawn) {
+        let go_on = &mut |_: &RunSnapshot<'_>| ControlFlow::Continue(());
+        let Ok(run) = simulate(&scene, &Settings::default(), go_on) else { continue };
+        let object: serde_json::Value =
+            serde_json::from_str(&report::json("", &run, None)).unwrap();
+        let estimates = object["error_estimates"].as_object().unwrap();
+        for (key, estimate) in estimates {
+            assert!(!object[key].is_null(), "{key}: {estimate} of {name}");
+        }
+        nulls += quantities::of_runs().filter(|it| object[it.name].is_null()).count();
+        found += estimates.len();
+        let depth = ["error_estimate", "final_penetration_m"].map(|key| object[key].is_null());
+        assert!(depth[0] || !depth[1], "{name}");
+    }
+    assert!(nulls > 100 && found > 100, "{nulls} {found}");
 }

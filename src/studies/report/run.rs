@@ -219,10 +219,10 @@ pub fn json(name: &str, run: &Run, beside: Option<&Traces>) -> String {
         EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
     });
     object["error_estimate_basis"] = basis.into();
-    let exists = |name| find(name).is_some_and(|it| run.stack.is_none() || it.value(run).is_some());
-    let names = run.estimate.by_result.iter().map(|error| error.0).filter(|name| exists(name));
-    let errors = names.map(|name| (name.to_owned(), run.error_of(name).into()));
-    object["error_estimates"] = Value::Object(errors.collect());
+    let exists = |name: &&str| !object[*name].is_null();
+    let names = run.estimate.by_result.iter().map(|error| error.0).filter(exists);
+    let errors = names.map(|name| (name.to_owned(), run.error_of(name).into())).collect();
+    object["error_estimates"] = Value::Object(errors);
     object["method"] = run.cost.method.into();
     object["method_reason"] = run.cost.reason.into();
     object["run_time_s"] = run.cost.took_s.into();

@@ -376,10 +376,10 @@ fn error(run: &Run) -> Option<String> {
 /// Describes the largest error estimate of all results.
 fn largest_error(run: &Run) -> Option<String> {
     run.estimate.main?;
-    // A result that is zero but for rounding has no relative error.
+    // A result that does not exist, or is zero but for rounding, has no relative error.
     let is_shown = |name: &str| {
         let value = quantities::find(name).and_then(|it| it.value(run));
-        value.is_none_or(|value| units::without_rounding(value) != 0.0)
+        value.is_some_and(|value| units::without_rounding(value) != 0.0)
     };
     let estimates = run.estimate.by_result.iter().filter(|it| is_shown(it.0));
     let (name, error) = estimates.max_by(|a, b| a.1.total_cmp(&b.1))?;
