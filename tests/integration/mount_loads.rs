@@ -430,3 +430,21 @@ fn valid_the_time_of_the_greatest_displacement_is_that_of_the_reversal() {
         assert_near(number(&found, "max_plate_displacement_time_s"), quarter_s, 1e-9);
     }
 }
+
+/// A stiff cocked spring pulls the plate away from the projectile at once, and pushes it when it is compressed: each event has the time of
+/// the warning of its direction.
+#[test]
+fn the_two_limits_of_an_interface_are_told_apart() {
+    let sets = ["v_i=50", "k=1e6", "n=0.3", "d=50mm", "gamma=7"];
+    let arguments: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+    let page = crate::support::printed("run", &arguments);
+    for (time, direction, warned) in [
+        ("24.6053 us", "pull", "first at t = 0.0246 ms, the projectile would be pulled out"),
+        ("245.476 us", "push", "first at t = 0.2455 ms, penetration would resume"),
+    ] {
+        let event = format!("{time}  interface limit exceeded: {direction}");
+        assert!(page.contains(&event), "{event}: {page}");
+        let words = page.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(warned), "{warned}: {page}");
+    }
+}

@@ -87,7 +87,14 @@ pub(super) const WORDS: &[Entry] = &[
         &["stop hit", "held by the stop", "leaves the stop"],
         "event: the plate meets its stop, rests on it, or comes off it",
     ),
-    (&["interface limit exceeded"], "event: a fused interface is loaded beyond its strength"),
+    (
+        &[
+            "interface limit exceeded",
+            "interface limit exceeded: push",
+            "interface limit exceeded: pull",
+        ],
+        "event: a fused interface is loaded beyond its strength, in compression (push) or in tension (pull)",
+    ),
     (
         &["undecided", "lower bounds", "so far"],
         "not known to perforate nor to be stopped: the run ended early; the final depth and displacement are not smaller",

@@ -4,7 +4,7 @@ use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 use crate::report::law::Law;
 use crate::report::series::Channel;
 use crate::report::traces::Traces;
-use cmra_engine::model::run::{CONTACT_WINDOW, ContactMode, Run};
+use cmra_engine::model::run::{CONTACT_WINDOW, ContactMode, Event, EventKind, Run, RunWarning};
 use cmra_engine::model::units::engineering;
 use cmra_engine::numerics::{larger, smaller};
 
@@ -17,11 +17,26 @@ pub fn event_letter(index: usize) -> &'static str {
     LETTERS.get(index..=index).unwrap_or("")
 }
 
+/// Describes an event. A fused interface has two limits: the load that exceeds one is named.
+pub fn event_words(run: &Run, event: &Event) -> &'static str {
+    if event.kind != EventKind::InterfaceExceeded {
+        return event.kind.words();
+    }
+    let is_push = |it: &RunWarning| matches!(it, RunWarning::InterfacePush { t_s, .. } if t_s.to_bits() == event.t_s.to_bits());
+    if run.warnings.iter().any(is_push) {
+        "interface limit exceeded: push"
+    } else {
+        "interface limit exceeded: pull"
+    }
+}
+
 /// Returns marks for the events of a time interval, with their letters.
 pub fn event_marks(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = Mark<'static>> + '_ {
     let events = run.events.iter().enumerate();
     let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
-    seen.map(|(index, event)| Mark::new(event.t_s, event.kind.words()).tag(event_letter(index)))
+    seen.map(|(index, event)| {
+        Mark::new(event.t_s, event_words(run, event)).tag(event_letter(index))
+    })
 }
 
 /// Time of a change of depth over that of the first contact, above which the change is left to the chart of the whole response.

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use crate::report::Remark;
 use crate::report::clean;
-use crate::report::figures::run::{event_letter, mechanism, response};
+use crate::report::figures::run::{event_letter, event_words, mechanism, response};
 use crate::report::page::{Block, Page, Size};
 use crate::report::run::{AT_START, ENERGY, LedgerPart, stack};
 use crate::report::svg::Picture;
@@ -265,7 +265,7 @@ const EVENT: usize = 14;
 pub fn events(run: &Run) -> Vec<Block> {
     let fact = |(index, event): (usize, &Event)| {
         let (letter, time) = (event_letter(index), engineering(event.t_s, "s", 6));
-        let remark = Remark::new(format!("{letter:<2}{time:>10}  "), event.kind.words());
+        let remark = Remark::new(format!("{letter:<2}{time:>10}  "), event_words(run, event));
         Block::Fact { remark, column: EVENT }
     };
     run.events.iter().enumerate().map(fact).collect()

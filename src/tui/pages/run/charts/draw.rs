@@ -15,7 +15,9 @@ use crate::tui::widgets::text::clip_words;
 use crate::tui::widgets::value_steps::engineering;
 use cmra_engine::model::run::Run;
 use cmra_studies::report::chart::Below;
-use cmra_studies::report::figures::run::{event_letter, event_marks};
+use cmra_studies::report::figures::run::{
+    event_letter, event_marks, event_words as event_words_of,
+};
 use cmra_studies::report::law::Law;
 use cmra_studies::report::series::Channel;
 
@@ -339,11 +341,14 @@ fn label(view: &RunView<'_>) -> String {
 pub(crate) fn event_words(app: &App, chart: usize) -> String {
     let end_s = end_s(app, chart);
     let run = app.shown.as_ref().map(|shown| &shown.run);
-    let events = run.into_iter().flat_map(|run| run.events.iter().enumerate());
+    let events =
+        run.into_iter().flat_map(|run| run.events.iter().enumerate().map(move |it| (run, it)));
     let words: Vec<String> = events
-        .filter(|(_, event)| event.t_s <= end_s)
+        .filter(|(_, (_, event))| event.t_s <= end_s)
         .take(EVENT_LINES)
-        .map(|(index, event)| format!("{} {}", event_letter(index), event.kind.words()))
+        .map(|(run, (index, event))| {
+            format!("{} {}", event_letter(index), event_words_of(run, event))
+        })
         .collect();
     words.join("  ")
 }
