@@ -368,8 +368,9 @@ fn verdict(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
     let (answer, why) = short_verdict(report);
     let place = efficiency_map(app).and_then(|map| where_it_pays(map, &app.scene));
     let place = place.map_or_else(String::new, |place| format!("; {place}"));
-    let second =
-        [format!("{answer}{why}{place}"), format!("{answer}{place}"), format!("{answer}{why}")];
+    let cause = why.split(", ").next().unwrap_or_default().to_owned();
+    let ends = [format!("{why}{place}"), place, why.clone(), cause, String::new()];
+    let second = ends.map(|end| format!("{answer}{end}"));
     let second = fitting(second, room);
     canvas.put(body, (1, 0), &first, Role::Title);
     canvas.put(body, (1, 1), &second, Role::Title);

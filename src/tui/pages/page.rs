@@ -45,11 +45,7 @@ pub(crate) const BEING_COMPUTED: &str = "being computed";
 pub(crate) const NOT_YET: &str = "not computed yet: <run> computes it";
 
 /// Returns the text of an empty pane: that its study runs, else the reason.
-pub(crate) fn nothing<S: RequestVariant>(
-    app: &App,
-    running: &'static str,
-    why: Option<&'static str>,
-) -> String {
+pub(crate) fn nothing<S: RequestVariant>(app: &App, running: &str, why: Option<&str>) -> String {
     let waits = app.jobs.running::<S>().is_some();
     app.keymap.shown(if waits { running } else { why.unwrap_or(NO_RESULTS) })
 }

@@ -213,7 +213,8 @@ fn a_first_look_without_time_draws_no_conclusion() {
     let mut wrong = Vec::new();
     for keys in ["3", "3v", "4", "444", "4444", "5", "55", "55<Tab>", "6"] {
         let mut bench = Bench::ascii(80, 24);
-        bench.app.scene = Arc::new(scene("spring=column h=0.0057 gamma=10.6 interface=plastic"));
+        bench.app.scene =
+            Arc::new(scene("spring=column e_spring=200 h=0.0057 gamma=10.6 interface=plastic"));
         bench.press(keys);
         while !bench.app.jobs.studies.is_empty() {
             for mut task in bench.tasks(|task| Some(task.clone())) {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::at_every_size;
 use super::bench::{Bench, Study, ended, stopped};
-use crate::support::says;
+use crate::support::{says, scene};
 use cmra::tui::message::{Effect, Message};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::ReportBody;
@@ -63,6 +63,57 @@ fn mapped(scene: &Arc<Scene>) -> Map {
     let axes = axes.map(|it| Axis::new(it.symbol(), it.ends(), 13, it.spacing()).unwrap());
     let mut watch = never_cancel;
     Map::compute(scene, &axes, Hardware::default(), &mut Context::new(1, &mut watch)).unwrap()
+}
+
+/// The tab of a changed baseline, with what was requested on entering it.
+fn entered(changes: &str, size: (u16, u16)) -> (Bench, Vec<Study>) {
+    let mut bench = Bench::open(GlyphSet::Ascii, size);
+    bench.app.scene = Arc::new(scene(changes));
+    bench.keys("3");
+    let mut asked = Vec::new();
+    loop {
+        let studies = bench.studies();
+        let answers = studies.iter().filter_map(|it| Some((it.id, answers(it, &|_| {})?)));
+        let answers: Vec<_> = answers.collect();
+        if answers.is_empty() {
+            return (bench, asked);
+        }
+        for (id, body) in answers {
+            bench.reply(id, body);
+        }
+        asked.extend(studies);
+    }
+}
+
+/// A plate that nothing stops, a model that cannot perforate, and a spring of unknown mass: no point can have a value.
+#[test]
+fn a_map_without_a_possible_value_is_not_computed_and_says_why() {
+    for (changes, why) in [
+        ("k=0", "nothing stops plate and projectile"),
+        ("model=half-sine", "no solid plate to compare with"),
+        ("spring=column", "the spring's mass is not known"),
+    ] {
+        let (bench, asked) = entered(changes, (80, 24));
+        let is_map = |it: &&Study| matches!(it.request, StudyRequest::EfficiencyMap(_));
+        assert_eq!(asked.iter().filter(is_map).count(), 0, "{changes}");
+        let screen = bench.screen();
+        let why = format!("no point has a mass efficiency: {why}");
+        assert!(screen.contains(&why), "{changes}: {screen}");
+    }
+}
+
+/// Verdicts are shortened by leaving out whole clauses.
+#[test]
+fn the_verdicts_are_never_cut() {
+    for changes in ["", "k=0", "v_i=400", "spring=column", "spring=prbm-cantilever", "n=0.3 d=5mm"]
+    {
+        for size in [(60, 16), (80, 24), (120, 40)] {
+            let screen = entered(changes, size).0.screen();
+            for line in screen.lines().skip(1).take(2) {
+                assert!(!line.trim_end().ends_with(".."), "{changes} {size:?}: {screen}");
+            }
+        }
+    }
 }
 
 /// Answers all studies of the tab, and those that follow them.
@@ -159,7 +210,7 @@ fn the_limit_tab_at_every_size() {
 #[test]
 fn the_first_lines_are_the_verdict() {
     let mut bench = Bench::ascii(80, 24);
-    bench.app.scene = Arc::new(crate::support::scene("dishing=off k=1"));
+    bench.app.scene = Arc::new(scene("dishing=off k=1"));
     bench.keys("3");
     answer(&mut bench);
     let screen = bench.screen();
@@ -206,7 +257,7 @@ fn the_cursor_of_the_map_chooses_a_design() {
 #[test]
 fn no_line_of_the_candidates_is_cut() {
     let mut bench = Bench::ascii(80, 24);
-    bench.app.scene = Arc::new(crate::support::scene("k=0"));
+    bench.app.scene = Arc::new(scene("k=0"));
     bench.press("3");
     answer(&mut bench);
     let lines = candidate_lines(&bench.app, 60);
@@ -219,7 +270,7 @@ fn no_line_of_the_candidates_is_cut() {
 #[test]
 fn the_help_of_the_map_names_every_letter_on_it() {
     let mut bench = Bench::ascii(80, 24);
-    bench.app.scene = Arc::new(crate::support::scene("spring=prbm-guided d=4mm"));
+    bench.app.scene = Arc::new(scene("spring=prbm-guided d=4mm"));
     bench.keys("3");
     answer(&mut bench);
     let map = bench.screen();

@@ -5,7 +5,7 @@ use crate::report::compare::{UNHELD, beside, picture, reasons, verdict, where_it
 use crate::report::page::{Block, Page, Size};
 use crate::report::svg::Picture;
 use crate::study::compare::map::Map;
-use crate::study::compare::{Candidate, ComparisonReport, Hardware};
+use crate::study::compare::{Absence, Candidate, ComparisonReport, Hardware};
 use cmra_engine::model::scene::{Criterion, Scene};
 use cmra_engine::model::units::{fixed_significant, significant};
 
@@ -88,6 +88,12 @@ fn per_mass(scene: &Scene) -> String {
     format!("{} J/kg", known.as_deref().unwrap_or("unknown"))
 }
 
+/// Formats the reason why a map has no value.
+pub fn no_efficiency(absence: Option<Absence>) -> String {
+    let why = absence.map_or_else(String::new, |it| format!(": {}", it.label));
+    format!("no point has a mass efficiency{why}")
+}
+
 /// Returns the report of a map: where the mechanism pays, and the map.
 pub fn map_page(title: &str, map: &Map) -> Page {
     let (x, y, energy) = (map.x().symbol(), map.y().symbol(), per_mass(map.scene()));
@@ -95,7 +101,7 @@ pub fn map_page(title: &str, map: &Map) -> Page {
         Page::new(format!("{title}: mass efficiency over {x} and {y}, springs of {energy}"));
     page.space();
     let Some(drawn) = picture(map).filter(|drawn| drawn.values().next().is_some()) else {
-        page.line("no point has a mass efficiency");
+        page.line(no_efficiency(map.absence()));
         return page;
     };
     if let Some(place) = where_it_pays(map, map.scene()) {

@@ -2,7 +2,7 @@
 
 use crate::study::compare::hardware::Hardware;
 use crate::study::compare::hold_spring_mass;
-use crate::study::compare::sizing::{Absence, mass_efficiency};
+use crate::study::compare::sizing::{Absence, known_absence, mass_efficiency};
 use crate::study::context::Context;
 use crate::study::sweep::axis::numeric;
 use crate::study::sweep::grid::lattice;
@@ -53,12 +53,33 @@ impl Map {
         let count = usize::try_from(plan.points()).unwrap_or(0);
         context.expect(count);
         let mut map = Self { cells: vec![None; count], plan };
+        if let Some(absence) = map.known_absence() {
+            map.cells.fill(Some(Err(absence)));
+            context.show(&map);
+            return Ok(map);
+        }
         for stride in STRIDES {
             if !context.is_stopped() {
                 map.fill(&map.pass(stride), hardware, context);
             }
         }
         Ok(map)
+    }
+
+    /// Returns the reason why no point has a value, if it is known at all corners without a shot.
+    fn known_absence(&self) -> Option<Absence> {
+        let [x, y] = [self.x(), self.y()].map(|axis| axis.count() - 1);
+        let corners = [(0, 0), (0, y), (x, 0), (x, y)];
+        let mut absences = corners.into_iter().map(|(x, y)| known_absence(&self.placed(x, y)));
+        let first = absences.next()??;
+        absences.all(|it| it == Some(first)).then_some(first)
+    }
+
+    /// Returns the common reason of a complete map without a value.
+    pub fn absence(&self) -> Option<Absence> {
+        let mut absences = self.cells.iter().map(|cell| (*cell)?.err());
+        let first = absences.next()??;
+        absences.all(|it| it == Some(first)).then_some(first)
     }
 
     /// Computes the given points in batches and reports progress after each batch.
@@ -134,17 +155,17 @@ impl Map {
         STRIDES.iter().rev().find_map(coarser)
     }
 
-    /// Returns the nearest row at or below `y` that has computed points: its index, and the index and mass efficiency of each point; NaN
+    /// Returns the row nearest to `y` that has computed points: its index, and the index and mass efficiency of each point; NaN
     /// where the efficiency does not exist.
     pub fn row(&self, y: u64) -> (u64, Vec<(u64, f64)>) {
         let at = |y: u64| (0..self.x().count()).filter_map(move |x| Some((x, self.number(x, y)?)));
-        line(y, |y| at(y).collect())
+        line((y, self.y()), |y| at(y).collect())
     }
 
     /// Returns the computed points of a column, in the format of [`Self::row`].
     pub fn column(&self, x: u64) -> (u64, Vec<(u64, f64)>) {
         let at = |x: u64| (0..self.y().count()).filter_map(move |y| Some((y, self.number(x, y)?)));
-        line(x, |x| at(x).collect())
+        line((x, self.x()), |x| at(x).collect())
     }
 
     fn number(&self, x: u64, y: u64) -> Option<f64> {
@@ -152,9 +173,14 @@ impl Map {
     }
 }
 
-/// Returns the line of the finest pass with two or more points.
-fn line(own: u64, at: impl Fn(u64) -> Vec<(u64, f64)>) -> (u64, Vec<(u64, f64)>) {
-    let lines = STRIDES.iter().rev().map(|stride| own - own % (*stride as u64));
+/// Returns the line of the finest pass with two or more points, nearest to a point of its axis.
+fn line((own, axis): (u64, &Axis), at: impl Fn(u64) -> Vec<(u64, f64)>) -> (u64, Vec<(u64, f64)>) {
+    let nearest = |stride: u64| {
+        let below = own - own % stride;
+        let is_above = 2 * (own - below) > stride && below + stride < axis.count();
+        if is_above { below + stride } else { below }
+    };
+    let lines = STRIDES.iter().rev().map(|stride| nearest(*stride as u64));
     let found = lines.map(|line| (line, at(line))).find(|(_, points)| points.len() > 1);
     found.unwrap_or((own, Vec::new()))
 }

@@ -3,12 +3,15 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::study::compare::hardware::{Hardware, InstalledSpring, MechanismLoadCase, is_held};
+use crate::study::compare::hardware::{
+    Hardware, InstalledSpring, MechanismLoadCase, is_held, is_own,
+};
 use crate::study::compare::solid::{solid_thickness, thickness_of_limit};
 use crate::study::first_contact::{self, ContactOutput};
 use crate::study::limit::shot_outcome::{ShotOutcome, decide, edge};
+use crate::study::load::spring_energy_j;
 use crate::study::verdict::Verdict;
-use cmra_engine::model::scene::Scene;
+use cmra_engine::model::scene::{ContactModel, Scene};
 use cmra_engine::model::simulate::Settings;
 use cmra_engine::numerics::{larger, smaller};
 
@@ -16,6 +19,8 @@ use cmra_engine::numerics::{larger, smaller};
 pub const WIDTH: f64 = 1e-9;
 /// Maximum number of times that a bracket is doubled.
 const WIDENED_MAX: usize = 19;
+/// Displacement at which a spring stores energy, m, unless it has no force.
+const PROBE_M: f64 = 1e-3;
 /// Minimum thickness of the numerical envelope, m.
 pub const THINNEST_M: f64 = 5e-4;
 
@@ -90,6 +95,22 @@ impl SizedArmour {
     /// Returns the areal mass of the solid plate over that of the armour.
     pub fn mass_efficiency(&self) -> f64 {
         self.solid_areal_kg_m2 / self.areal_kg_m2
+    }
+}
+
+/// Returns the reason why a scene has no mass efficiency, if it is known without a shot; it holds at every velocity and size of the plate.
+pub fn known_absence(scene: &Scene) -> Option<Absence> {
+    let mechanism = &scene.mechanism;
+    let is_weightless = spring_energy_j(scene, Some([0.0, PROBE_M])) == Some(0.0);
+    let has_mass = is_own(scene) || is_weightless || mechanism.specific_energy_j_kg().is_some();
+    if scene.is_stack() {
+        Some(Absence::STACK)
+    } else if !is_held(scene) {
+        Some(Absence::NOTHING_STOPS)
+    } else if scene.contact.model != ContactModel::Hydrodynamic {
+        Some(Absence::NO_SOLID)
+    } else {
+        (!has_mass).then_some(Absence::NO_SPRING_MASS)
     }
 }
 
@@ -208,6 +229,7 @@ fn min_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Abse
 mod tests {
     use super::*;
     use crate::study::testing::scene;
+    use cmra_engine::model::variables::find;
     use std::collections::BTreeSet;
 
     #[test]
@@ -232,5 +254,26 @@ mod tests {
         let scene = scene("interface=plastic k=1e7 n=0.3 d=5mm v_i=1");
         let found = sized(&scene, Hardware::Own, WIDTH).map(|sized| sized.areal_kg_m2);
         assert!(found.is_ok() || found.is_err_and(Absence::is_open), "{found:?}");
+    }
+
+    /// What is known without a shot agrees with the shots: of every kind of spring, and of other models.
+    #[test]
+    fn a_known_absence_is_that_of_the_shots() {
+        let mut known = 0;
+        let kinds = find("spring").unwrap().keys().iter().map(|kind| format!("spring={kind} m=1"));
+        let others = ["", "k=0", "k=0 x_stop=1mm", "model=half-sine", "mount=rigid", "base=0.02"];
+        for changes in kinds.chain(others.map(str::to_owned)) {
+            for v in [1.0, 30.0, 400.0] {
+                let scene = scene(&format!("{changes} v_i={v}"));
+                let found = mass_efficiency(&scene, Hardware::Own, 1e-4);
+                if let Some(absence) = known_absence(&scene) {
+                    known += 1;
+                    assert!(found.is_err(), "{changes} {v}: {absence:?} {found:?}");
+                }
+                let is_mass_known = found != Err(Absence::NO_SPRING_MASS);
+                assert!(is_mass_known || known_absence(&scene).is_some(), "{changes} {v}");
+            }
+        }
+        assert!(known > 8, "{known}");
     }
 }

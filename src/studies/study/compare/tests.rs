@@ -208,3 +208,21 @@ fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
     let beyond = limit_if_spring_survives_m_s(&scene("k=0 gamma=0.05")).unwrap_err();
     assert!(beyond.contains("beyond 3000 m/s"), "{beyond}");
 }
+
+/// Of a first pass there is every 16th row: 31 of 41 is shown by row 32, not by row 16.
+#[test]
+fn a_partial_map_has_the_nearest_of_its_lines() {
+    let free = scene("k=0");
+    let axes = map::default_axes(&free).unwrap();
+    let mut whole =
+        Map::compute(&free, &axes, Hardware::Own, &mut Context::new(1, &mut never_cancel)).unwrap();
+    for x in 0..41 {
+        for y in 0..41 {
+            let is_first = x % 16 == 0 && y % 16 == 0;
+            whole.cells[x * 41 + y] = is_first.then_some(Ok(1.0));
+        }
+    }
+    for (own, nearest) in [(0, 0), (7, 0), (9, 16), (31, 32), (40, 32)] {
+        assert_eq!((whole.row(own).0, whole.column(own).0), (nearest, nearest), "{own}");
+    }
+}

@@ -10,9 +10,11 @@ use crate::tui::widgets::moved;
 use crate::worker::studies::{EfficiencyMapStudy, MassComparison};
 use cmra_engine::model::units::fixed_significant;
 use cmra_studies::report::chart::Below;
+use cmra_studies::report::compare::page::no_efficiency;
 use cmra_studies::report::compare::picture;
 use cmra_studies::report::figures::{axis_of, column_of};
 use cmra_studies::report::map::Map;
+use cmra_studies::study::compare::known_absence;
 use cmra_studies::study::compare::map::{Map as EfficiencyMap, default_axes};
 use cmra_studies::study::sweep::Axis;
 
@@ -68,7 +70,7 @@ fn values_at(map: &EfficiencyMap, (x, y): (usize, usize)) -> [(&Axis, f64); 2] {
 
 /// Returns `true` if a scene has a map.
 pub(super) fn has_map(scene: &Scene) -> bool {
-    !scene.is_stack() && scene.is_sprung() && default_axes(scene).is_some()
+    scene.is_sprung() && known_absence(scene).is_none() && default_axes(scene).is_some()
 }
 
 /// Moves the cursor by points; the scene is unchanged.
@@ -121,13 +123,16 @@ pub(super) fn readout(app: &App) -> Option<String> {
 pub(super) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let focused = app.has_focus(EFFICIENCY_MAP);
     let found = efficiency_map(app);
+    let absence = found.map_or_else(|| known_absence(&app.scene), EfficiencyMap::absence);
+    let absence = no_efficiency(absence);
     let Some((found, map)) = found.and_then(|found| Some((found, picture(found)?))) else {
         let inner = PaneFrame::new("Mass efficiency").focused(focused).draw(area, canvas);
         let why = match found {
-            Some(map) if map.is_complete() => Some("no point has a mass efficiency"),
+            Some(map) if map.is_complete() => Some(&*absence),
             Some(_) => Some(NOT_YET),
             _ if app.scene.is_stack() => Some("a stack is compared with nothing"),
             _ if !app.scene.is_sprung() => Some("the mount is rigid: there is no moving to pay"),
+            _ if known_absence(&app.scene).is_some() => Some(&*absence),
             _ if !has_map(&app.scene) => Some("no map over v_i and the plate's size"),
             _ if app.jobs.running::<MassComparison>().is_some() => {
                 Some("computed after the comparison")
@@ -164,17 +169,19 @@ fn slices(map: &EfficiencyMap, (x, y): (usize, usize), area: Rect, canvas: &mut 
     let is_both = area.height >= TWO_SLICES;
     let (above, below) = split_bottom(area, if is_both { area.height / 2 } else { 0 });
     let parts = [
-        (map.x(), (map.y(), row), across, x, above, Below::Across),
-        (map.y(), (map.x(), column), up, y, below, Below::End),
+        (map.x(), (map.y(), row, y), across, x, above, Below::Across),
+        (map.y(), (map.x(), column, x), up, y, below, Below::End),
     ];
     let mut charts: Vec<(Chart<'_>, Rect)> = Vec::new();
-    for (axis, (held, held_at), points, own, area, below) in parts {
+    for (axis, (held, held_at, wanted), points, own, area, below) in parts {
         let points: Vec<(f64, f64)> =
             points.into_iter().map(|(at, value)| (axis.value(at), value)).collect();
         let begins = charts.is_empty();
         let frame = Frame::Stacked { begins, below: if is_both { below } else { Below::End } };
         let held = format!("{} {}", held.symbol(), held.show(held.value(held_at), 3));
-        let title = format!("over {}, at {held}", axis.symbol());
+        // A partial map may lack the line of the cursor.
+        let at = if held_at == wanted as u64 { "at" } else { "nearest" };
+        let title = format!("over {}, {at} {held}", axis.symbol());
         let values = points.iter().map(|point| point.1).filter(|value| value.is_finite());
         let Some(y) = chart::Axis::fitted("", "", values) else { continue };
         let curve = Curve::new('*', "", points);
