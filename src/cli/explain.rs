@@ -18,7 +18,7 @@ mod words;
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
     /// A variable by symbol, name or key (gamma, thickness), a quantity (`limit_velocity_m_s`), a warning ('plate face') or a word of a
-    /// screen (areal); without it: all of them
+    /// screen (areal), or a key of JSON (complete); without it: all but the keys
     name: Option<String>,
 }
 
@@ -37,7 +37,7 @@ fn pages(name: &str) -> Result<Vec<String>, CliError> {
     let variable = || find(name).or_else(|_| find(&spelled)).ok();
     let unknown = || {
         CliError::Option(format!(
-            "`{name}` is neither a variable ({}) nor a quantity ({}) nor a warning ({}) nor a word of a screen",
+            "`{name}` is neither a variable ({}) nor a quantity ({}) nor a warning ({}) nor a word of a screen nor a key of a file",
             nearest(name),
             quantities::nearest(name),
             Check::WORDS.join(", ")
@@ -66,12 +66,27 @@ fn pages(name: &str) -> Result<Vec<String>, CliError> {
     if !words.is_empty() {
         return Ok(words);
     }
+    if let Some(about) = key_words(name) {
+        return Ok(vec![hanging(&format!("{name}: "), &about, 2)]);
+    }
     let titled = [name, &name.to_lowercase()].map(quantities::named).into_iter().flatten().next();
     if let Some(quantity) = titled {
         return Ok(vec![quantity_page(quantity)]);
     }
     // The line of a page may have a unit or more after its label: `mount force, kN`.
     name.rsplit_once(", ").and_then(|(label, _)| pages(label).ok()).ok_or_else(unknown)
+}
+
+/// Returns the explanation of a key of JSON or CSV: its own, or that of its family, then that of the quantity or key in it.
+fn key_words(key: &str) -> Option<String> {
+    let own = |key: &str| words::keys().find(|(keys, _)| keys.contains(&key)).map(|it| it.1);
+    let of_family = |(part, adds): &(&str, &str)| {
+        let rest = key.replacen(part, "", 1);
+        let quantity = quantities::find(&rest).map(|it| it.meaning);
+        let about = quantity.or_else(|| own(&rest)).filter(|_| rest != key)?;
+        Some(format!("{adds}: {about}"))
+    };
+    own(key).map(str::to_owned).or_else(|| words::FAMILIES.iter().find_map(of_family))
 }
 
 fn variable_page(variable: &Variable) -> String {
@@ -396,8 +411,8 @@ mod tests {
 
     #[test]
     fn a_word_has_one_explanation() {
-        let mut words: Vec<&str> =
-            words::all().flat_map(|(words, _)| words.iter().copied()).collect();
+        let entries = words::all().chain(words::keys());
+        let mut words: Vec<&str> = entries.flat_map(|(words, _)| words.iter().copied()).collect();
         let count = words.len();
         words.sort_unstable();
         words.dedup();
