@@ -136,11 +136,12 @@ fn a_fused_stop_is_hit_or_not_whatever_the_tolerance() {
     }
 }
 
-/// A stop that the plate hits while the projectile still penetrates, or after it is through, loads no fused interface: the shot is that of a
-/// plastic one.
+/// A stop that the plate hits while the projectile still penetrates or its force history lasts, or after it is through, loads no fused
+/// interface: the shot is that of a plastic one.
 #[test]
 fn a_stop_that_is_hit_before_the_bodies_fuse_or_after_the_exit_is_no_fused_one() {
-    for pairs in ["x_stop=1mm", "x_stop=20mm v_i=400"] {
+    let history = "model=half-sine x_stop=3mm gamma=0.6 t_d=120us b=20";
+    for pairs in ["x_stop=1mm", "x_stop=20mm v_i=400", history] {
         let [fused, plastic] =
             ["", " interface=plastic"].map(|more| run(&format!("{pairs}{more}")));
         assert_near(number(&fused, "fused_stop_hit"), 0.0, 0.0);

@@ -216,3 +216,23 @@ fn valid_bounces_that_are_left_out_move_the_depth_by_less_than_the_tolerance() {
         assert_near(depth("1e-9"), depth("1e-12"), 1e-8);
     }
 }
+
+/// A plate behind an exit turns by its spring, whatever the exponent of its damper: 0.2 us before and after that the oracle has it back.
+#[test]
+fn valid_the_greatest_displacement_has_its_time_with_every_damper() {
+    for m in ["0.3", "0.9", "0.999999", "1", "1.000001", "1.2", "1.5", "2", "2.7"] {
+        let pairs = format!("b=200 m={m} h=5mm v_i=300");
+        let found = json(&pairs);
+        let t_s = found["max_plate_displacement_time_s"].as_f64().unwrap();
+        let mut events = found["events"].as_array().unwrap().iter();
+        let marked = events.find(|it| it["event"] == "greatest displacement").unwrap();
+        assert_near(marked["time_s"].as_f64().unwrap(), t_s, 0.0);
+        let own = scene(&pairs);
+        let speed_m_s = |t_s: f64| {
+            let [before_m, after_m] =
+                [t_s - 1e-8, t_s + 1e-8].map(|t_s| stepped(&own, 1e-9, t_s).place()[2]);
+            (after_m - before_m) / 2e-8
+        };
+        assert!(speed_m_s(t_s - 2e-7) > 0.0 && speed_m_s(t_s + 2e-7) < 0.0, "{m} {t_s}");
+    }
+}

@@ -308,8 +308,10 @@ fn has_fused_stop(scene: &Scene) -> bool {
 
 /// Returns whether a rigid stop is hit under a fused interface; `None` for a scene without such a stop.
 pub fn hits_fused_stop(run: &Run) -> Option<bool> {
-    // Before its first arrest the projectile flows on, whatever the plate does.
-    let fused = || run.events.iter().skip_while(|event| event.kind != EventKind::FirstArrest);
+    // Before its last arrest the projectile flows on, or its force history runs on, whatever the plate does.
+    let is_arrest = |kind| matches!(kind, EventKind::FirstArrest | EventKind::Arrest);
+    let arrest = run.events.iter().rposition(|event| is_arrest(event.kind));
+    let fused = || run.events.iter().skip(arrest.unwrap_or(run.events.len()));
     has_fused_stop(&run.scene).then(|| fused().any(|event| event.kind == EventKind::StopHit))
 }
 

@@ -402,10 +402,6 @@ impl Recorder {
                 self.pass_joint(setup, to);
             }
             modes::Event::Recontact => self.note(to.t_s, EventKind::Recontact),
-            modes::Event::SpeedZero if self.turn.is_some_and(|[_, t_s]| t_s >= to.t_s) => {
-                self.events.retain(|it| it.kind != EventKind::GreatestDisplacement);
-                self.note(to.t_s, EventKind::GreatestDisplacement);
-            }
             modes::Event::StopReached if from.w_m_s > RESOLUTION * setup.reference.velocity_m_s => {
                 self.note(to.t_s, EventKind::StopHit);
             }

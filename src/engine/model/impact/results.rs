@@ -13,9 +13,9 @@ use crate::model::impact::resolution::{CHANGES_MANY, NEGLIGIBLE, RESOLUTION};
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
-    AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, EventKind,
-    InterfaceLoad, LeftOut, MechanismLoad, NotModelled, Outcome, Penetration, Run, RunWarning,
-    Sample,
+    AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, Event,
+    EventKind, InterfaceLoad, LeftOut, MechanismLoad, NotModelled, Outcome, Penetration, Run,
+    RunWarning, Sample,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -135,6 +135,26 @@ impl ImpactRun<'_> {
         }
     }
 
+    /// Returns displacement, m, and time, s, of the reversal at the maximum displacement. A run that is decided just before it ends with a
+    /// constant deceleration; a plate that only approaches its maximum has none at rest.
+    fn turn(&self) -> Option<[f64; 2]> {
+        if self.setup.is_rigid_mount {
+            return None;
+        }
+        let far_m = self.record.farthest_m;
+        let is_there = |x_m: f64| far_m - x_m <= RESOLUTION * far_m.abs();
+        self.record.turn.filter(|[x_m, _]| is_there(*x_m)).or_else(|| {
+            let equations = self.equations();
+            let x_m = equations.displacement_m(self.state.x_m);
+            let at_rest = State { w_m_s: 0.0, ..self.state };
+            let left_s = -self.state.w_m_s / equations.accelerations(&at_rest).1;
+            let turns =
+                !self.is_before_max_displacement() && is_there(x_m) && !equations.plate_rests();
+            let is_soon = left_s > 0.0 && left_s * self.state.w_m_s <= RESOLUTION * far_m.abs();
+            (self.decided.is_some() && turns && is_soon).then_some([far_m, self.state.t_s + left_s])
+        })
+    }
+
     /// Returns an upper bound of the depth, m, from the remaining energy; `None` if it perforates, or if a spring can release more energy
     /// than it has stored.
     fn depth_at_most_m(&self) -> Option<f64> {
@@ -233,7 +253,7 @@ impl ImpactRun<'_> {
             yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
             added_kg: positive(inertia.added_kg),
             spring_mass_kg: inertia.spring_mass_kg,
-            turn: self.record.turn.filter(|_| !self.setup.is_rigid_mount),
+            turn: self.turn(),
             backmost_m: ends.map(|[back_m, _]| back_m),
             peak_mount_n: (!self.setup.is_rigid_mount).then_some(self.record.loads.mount_n),
             rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
@@ -406,14 +426,11 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let baseline_m = final_m.filter(|_| is_own).or_else(|| course.baseline_m());
     let series = std::mem::take(&mut course.record.series);
     let mut events = std::mem::take(&mut course.record.events);
+    let turn = course.turn();
+    mark_turn(&mut events, turn);
     let record = &course.record;
     let separation = record.separation.filter(|_| outcome == Outcome::Separated);
     let parting = record.exit.or(separation);
-    // A reversal before the maximum displacement is not marked.
-    let is_farthest = record
-        .turn
-        .is_some_and(|[x_m, _]| record.farthest_m - x_m <= RESOLUTION * record.farthest_m.abs());
-    events.retain(|event| event.kind != EventKind::GreatestDisplacement || is_farthest);
     let mut run = Run {
         scene: Arc::clone(course.scene),
         outcome,
@@ -455,6 +472,15 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     };
     run.warnings = course.warnings(&run);
     run
+}
+
+/// Marks the reversal at the maximum displacement. One on a stop has the events of the stop.
+fn mark_turn(events: &mut Vec<Event>, turn: Option<[f64; 2]>) {
+    let Some([_, t_s]) = turn else { return };
+    let place = events.partition_point(|event| event.t_s < t_s);
+    if events.get(place).is_none_or(|event| event.t_s > t_s) {
+        events.insert(place, Event { t_s, kind: EventKind::GreatestDisplacement });
+    }
 }
 
 /// Returns a peak, or a row above it. Rows after the decision exceed a peak that follows from the energy only by the errors of their steps.
