@@ -152,6 +152,44 @@ fn a_stop_that_is_hit_before_the_bodies_fuse_or_after_the_exit_is_no_fused_one()
     }
 }
 
+/// Beyond its end a falling table goes on straight, to a force that pushes the plate on without end or bound.
+#[test]
+fn a_spring_that_drives_its_plate_away_has_no_greatest_load() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("falls.csv");
+    std::fs::write(&path, "displacement_m,force_N\n0,0\n0.01,2000\n0.02,1000\n0.03,100\n").unwrap();
+    let table = format!("table={}", path.to_str().unwrap());
+    let found = |more: &[&str]| {
+        let arguments = [&["--set", &table, "--set", "v_i=150", "--json"], more].concat();
+        serde_json::from_str::<Value>(&says("run", &arguments, 0).0).unwrap()
+    };
+    let for_ever = found(&[]);
+    assert!(for_ever["max_plate_displacement_m"].is_null());
+    for key in [
+        "peak_mount_force_n",
+        "mount_impulse_n_s",
+        "interface_demand_ratio",
+        "interface_tension_ratio",
+    ] {
+        assert!(for_ever[key].is_null(), "{key}");
+    }
+    let (page, _) = says("run", &["--set", &table, "--set", "v_i=150"], 0);
+    assert!(page.contains("none: nothing stops the plate"), "{page}");
+    // Up to a time all is known: the force is greatest at 10 mm.
+    let up_to = found(&["--set", "horizon=0.4ms"]);
+    assert_near(number(&up_to, "peak_mount_force_n"), 2000.0, 1e-9);
+}
+
+/// A lumped interface only pushes: its bodies part, and a stop acts on the plate alone.
+#[test]
+fn a_lumped_interface_asks_nothing_of_a_stop() {
+    for place in ["1mm", "5mm", "20mm"] {
+        let found = run(&format!("model=lumped x_stop={place}"));
+        assert!(found["fused_stop_hit"].is_null() && found["outcome"] == "separated", "{place}");
+        assert!(!found["warnings"].to_string().contains("unbounded"), "{place}");
+    }
+}
+
 /// Thrown back at first, fused bodies come to the stop at their own starting place: 1 um / 20 m/s before a stop that stands 1 um further.
 #[test]
 fn valid_a_stop_at_the_starting_place_is_hit_on_the_way_back() {

@@ -165,7 +165,7 @@ pub fn of_scene(scene: &Scene) -> Vec<Breach> {
     }
     if has_fused_stop(scene) {
         let value = "rigid stop asks the fused interface for an unbounded force".to_owned();
-        let meaning = ": nothing after it is hit is to be believed; set interface=plastic";
+        let meaning = ": nothing after it is hit is to be believed; set stop_kind=elastic";
         add(Check::Stop, Unconservative, 1.0, value, meaning);
     }
     found.sort_by_key(|breach| breach.check);
@@ -300,9 +300,10 @@ pub fn ricochet(scene: &Scene) -> Option<String> {
     })
 }
 
-/// Returns `true` if a scene has a rigid stop under a fused interface, which cannot carry an impact on it.
+/// Returns `true` if a scene has a rigid stop under a fused interface, which cannot carry an impact on it. A lumped interface never fuses.
 fn has_fused_stop(scene: &Scene) -> bool {
     scene.interface.law == InterfaceLaw::Fused
+        && scene.contact.model != ContactModel::Lumped
         && Mechanism::from_scene(scene).rigid_stop().is_some()
 }
 

@@ -65,7 +65,8 @@ pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
         return Some(m_p * cos * (struck - left));
     }
     let mechanism = Mechanism::from_scene(scene);
-    if mechanism.is_absent() && mechanism.stop.is_none() {
+    // Nothing pushes the mount, or something that does so without end.
+    if mechanism.is_absent() && mechanism.stop.is_none() || run.mechanism.peak_mount_n.is_none() {
         return None;
     }
     // What the mount turns with the plate moves at its cost.

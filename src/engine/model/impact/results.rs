@@ -135,6 +135,13 @@ impl ImpactRun<'_> {
         }
     }
 
+    /// Returns `true` if the spring drives the plate without end: its force has no bound, or no end.
+    fn is_driven_away(&self) -> bool {
+        let is_endless = self.decided.is_some_and(|(_, far_m)| far_m.is_infinite());
+        let least_j = || self.mode.elastic.least_energy(self.state.x_m, f64::INFINITY);
+        is_endless && self.has_no_horizon() && least_j().is_infinite()
+    }
+
     /// Returns displacement, m, and time, s, of the reversal at the maximum displacement. A run that is decided just before it ends with a
     /// constant deceleration; a plate that only approaches its maximum has none at rest.
     fn turn(&self) -> Option<[f64; 2]> {
@@ -255,7 +262,8 @@ impl ImpactRun<'_> {
             spring_mass_kg: inertia.spring_mass_kg,
             turn: self.turn(),
             backmost_m: ends.map(|[back_m, _]| back_m),
-            peak_mount_n: (!self.setup.is_rigid_mount).then_some(self.record.loads.mount_n),
+            peak_mount_n: (!self.setup.is_rigid_mount && !self.is_driven_away())
+                .then_some(self.record.loads.mount_n),
             rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
         }
     }
@@ -426,6 +434,9 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let baseline_m = final_m.filter(|_| is_own).or_else(|| course.baseline_m());
     let series = std::mem::take(&mut course.record.series);
     let mut events = std::mem::take(&mut course.record.events);
+    if course.is_driven_away() {
+        course.record.loads.ratios = None;
+    }
     let turn = course.turn();
     mark_turn(&mut events, turn);
     let record = &course.record;

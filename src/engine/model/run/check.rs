@@ -95,7 +95,7 @@ impl Check {
                 m_spring or e_spring."),
             Self::Stop => ("x_stop",
                "A rigid stop asks the fused interface for an unbounded force: nothing after the hit is to be believed. \
-                Unconservative. Cure: interface=plastic."),
+                Unconservative. Cure: stop_kind=elastic, or with the hydrodynamic model interface=plastic."),
             Self::Interface => ("interface",
                "The fused interface must carry more than its strength A S_y, or in tension g A S_y (the grip g is an assumption): \
                 penetration would resume, or the projectile would be pulled out. Unconservative. Cure: interface=plastic."),

@@ -44,11 +44,8 @@ impl RunResult {
             Self::SeparationVelocity => Some(run.departure.separation?.velocity_m_s),
             Self::InterfaceDemand => run.interface.demand_ratio,
             Self::InterfaceTension => run.interface.tension_ratio,
-            // On a rigid mount it is the contact force along the normal.
-            Self::PeakMountForce => run
-                .mechanism
-                .peak_mount_n
-                .or_else(|| Some(run.peak_contact_force_n? * run.scene.cos_obliquity())),
+            Self::PeakMountForce if run.scene.is_sprung() => run.mechanism.peak_mount_n,
+            Self::PeakMountForce => Some(run.peak_contact_force_n? * run.scene.cos_obliquity()),
             Self::StoredEnergy => run.mechanism.stored_j,
             Self::RotationalEnergy => run.mechanism.rotation_j,
         }

@@ -180,9 +180,10 @@ pub fn results(run: &Run) -> Vec<Labelled> {
         || run.outcome == Outcome::Unmeasured;
     let scene = &run.scene;
     // Reason for a missing displacement.
-    let nothing_stops_it = scene.is_sprung()
-        && Mechanism::from_scene(scene).is_absent()
-        && scene.mechanism.stop.position_m.is_none();
+    let is_driven = load.peak_mount_n.is_none() && run.end.is_complete();
+    let has_nothing =
+        Mechanism::from_scene(scene).is_absent() && scene.mechanism.stop.position_m.is_none();
+    let nothing_stops_it = scene.is_sprung() && (has_nothing || is_driven);
     let none = if nothing_stops_it {
         "none: nothing stops the plate"
     } else {
