@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{cmra, json, printed, says};
+use crate::support::{assert_near, cmra, json, printed, says};
 
 #[test]
 fn valid_numbers_in_closed_form_are_reproduced() {
@@ -379,4 +379,19 @@ fn the_rows_of_the_shot_that_a_spring_survives_say_so() {
     let found = json("compare", &["--set", "spring=crush"]);
     let own = &found["candidates"]["scene"];
     assert_eq!(own["stored_energy_if_spring_survives_j"], 1.25);
+}
+
+/// Springs are sized by the displacement of the shot that the least thickness just stops, which changes as the root of the distance to it.
+#[test]
+fn a_point_of_the_map_is_the_comparison_of_its_scene() {
+    let pairs = "k=1.215e5 b=100.9 S_y=1.577e8 h=5.333mm";
+    let set: Vec<&str> = pairs.split(' ').flat_map(|pair| ["--set", pair]).collect();
+    let json = |more: &[&str]| -> Value {
+        serde_json::from_str(&printed("compare", &[&set[..], more, &["--json"]].concat())).unwrap()
+    };
+    let map = json(&["--map", "v_i=246.02..300:2,gamma=1.714..3:2"]);
+    for (row, [v_i, gamma]) in [(0, ["v_i=246.02", "gamma=1.714"]), (3, ["v_i=300", "gamma=3"])] {
+        let alone = json(&["--set", v_i, "--set", gamma])["mass_efficiency"].as_f64().unwrap();
+        assert_near(map[row]["mass_efficiency"].as_f64().unwrap(), alone, 1e-12);
+    }
 }

@@ -484,7 +484,7 @@ fn limits(report: &ComparisonReport) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::compare::{WIDTH, mass_efficiency};
+    use crate::study::compare::mass_efficiency;
     use crate::study::context::{Context, never_cancel};
     use crate::study::sweep::{Axis, Spacing};
     use cmra_engine::model::variables::changed_free_plate;
@@ -511,7 +511,7 @@ mod tests {
     #[test]
     fn what_no_point_of_a_row_decides_is_not_said_of_the_row() {
         let scene = changed_free_plate("k=1e5 d=0.0051 v_i=10.5 gamma=1").unwrap();
-        let between = mass_efficiency(&scene, Hardware::default(), WIDTH).unwrap();
+        let between = mass_efficiency(&scene, Hardware::default()).unwrap();
         assert!(between > 1.0, "{between}");
         let axis = |name, ends| Axis::new(name, ends, 2, Spacing::Linear).unwrap();
         let axes = [axis("v_i", (10.0, 11.0)), axis("gamma", (1.0, 3.0))];

@@ -40,7 +40,7 @@ mod solid;
 
 pub use candidate::limit_if_spring_survives_m_s;
 pub use hardware::{Failure, Hardware, is_held};
-pub use sizing::{Absence, SizedArmour, THINNEST_M, WIDTH, known_absence, mass_efficiency};
+pub use sizing::{Absence, SizedArmour, THINNEST_M, known_absence, mass_efficiency};
 
 use candidate::CandidateEvaluator;
 

@@ -9,13 +9,13 @@ use crate::model::impact::equations::Equations;
 use crate::model::impact::modes::{Contact, HybridMode, PlateConstraint};
 use crate::model::impact::parameters::ImpactParameters;
 use crate::model::impact::recorder::Recorder;
-use crate::model::impact::resolution::{CHANGES_MANY, NEGLIGIBLE, RESOLUTION};
+use crate::model::impact::resolution::{CHANGES_MANY, RESOLUTION};
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
-    AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, Event,
-    EventKind, InterfaceLoad, LeftOut, MechanismLoad, NotModelled, Outcome, Penetration, Run,
-    RunWarning, Sample,
+    AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate,
+    InterfaceLoad, LeftOut, MechanismLoad, NotModelled, Outcome, Penetration, Run, RunWarning,
+    Sample,
 };
 use crate::model::scene::{InterfaceLaw, Scene, Target};
 use crate::numerics::larger;
@@ -108,58 +108,6 @@ impl ImpactRun<'_> {
             Contact::Penetrating => larger(self.state.q_m, self.mode.deepest_m),
             _ => self.mode.deepest_m,
         }
-    }
-
-    /// Returns `true` if the plate has not reached its final maximum displacement.
-    pub(super) fn is_before_max_displacement(&self) -> bool {
-        let reached_m = self.record.farthest_m;
-        self.decided.is_some_and(|(_, far_m)| far_m - reached_m > RESOLUTION * far_m.abs())
-    }
-
-    /// Returns the maximum displacement, m; up to the horizon if nothing stops the plate.
-    fn max_displacement_m(&self) -> Option<f64> {
-        let so_far_m = self.record.farthest_m;
-        match self.decided {
-            Some((_, far_m)) if far_m.is_finite() => Some(larger(far_m, so_far_m)),
-            Some(_) => (!self.has_no_horizon()).then_some(so_far_m),
-            // For an undecided run it is final if the energy allows no more; not with the weight, which adds energy.
-            None if self.setup.weight_n > 0.0 => None,
-            None => {
-                let equations = self.equations();
-                let reach_m = equations.max_reachable_displacement_m(
-                    &self.state,
-                    equations.energy_left_j(&self.state),
-                );
-                (reach_m - so_far_m <= NEGLIGIBLE * so_far_m.abs()).then_some(so_far_m)
-            }
-        }
-    }
-
-    /// Returns `true` if the spring drives the plate without end: its force has no bound, or no end.
-    fn is_driven_away(&self) -> bool {
-        let is_endless = self.decided.is_some_and(|(_, far_m)| far_m.is_infinite());
-        let least_j = || self.mode.elastic.least_energy(self.state.x_m, f64::INFINITY);
-        is_endless && self.has_no_horizon() && least_j().is_infinite()
-    }
-
-    /// Returns displacement, m, and time, s, of the reversal at the maximum displacement. A run that is decided just before it ends with a
-    /// constant deceleration; a plate that only approaches its maximum has none at rest.
-    fn turn(&self) -> Option<[f64; 2]> {
-        if self.setup.is_rigid_mount {
-            return None;
-        }
-        let far_m = self.record.farthest_m;
-        let is_there = |x_m: f64| far_m - x_m <= RESOLUTION * far_m.abs();
-        self.record.turn.filter(|[x_m, _]| is_there(*x_m)).or_else(|| {
-            let equations = self.equations();
-            let x_m = equations.displacement_m(self.state.x_m);
-            let at_rest = State { w_m_s: 0.0, ..self.state };
-            let left_s = -self.state.w_m_s / equations.accelerations(&at_rest).1;
-            let turns =
-                !self.is_before_max_displacement() && is_there(x_m) && !equations.plate_rests();
-            let is_soon = left_s > 0.0 && left_s * self.state.w_m_s <= RESOLUTION * far_m.abs();
-            (self.decided.is_some() && turns && is_soon).then_some([far_m, self.state.t_s + left_s])
-        })
     }
 
     /// Returns an upper bound of the depth, m, from the remaining energy; `None` if it perforates, or if a spring can release more energy
@@ -437,8 +385,7 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     if course.is_driven_away() {
         course.record.loads.ratios = None;
     }
-    let turn = course.turn();
-    mark_turn(&mut events, turn);
+    course.mark_turn(&mut events);
     let record = &course.record;
     let separation = record.separation.filter(|_| outcome == Outcome::Separated);
     let parting = record.exit.or(separation);
@@ -483,15 +430,6 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     };
     run.warnings = course.warnings(&run);
     run
-}
-
-/// Marks the reversal at the maximum displacement. One on a stop has the events of the stop.
-fn mark_turn(events: &mut Vec<Event>, turn: Option<[f64; 2]>) {
-    let Some([_, t_s]) = turn else { return };
-    let place = events.partition_point(|event| event.t_s < t_s);
-    if events.get(place).is_none_or(|event| event.t_s > t_s) {
-        events.insert(place, Event { t_s, kind: EventKind::GreatestDisplacement });
-    }
 }
 
 /// Returns a peak, or a row above it. Rows after the decision exceed a peak that follows from the energy only by the errors of their steps.

@@ -163,6 +163,15 @@ fn own(label: &'static str, text: Option<String>) -> Option<Labelled> {
     Some((label.into(), text?))
 }
 
+/// Returns `true` if nothing stops the plate: it has no mechanism, or a spring that drives it away.
+fn is_endless(run: &Run) -> bool {
+    let scene = &run.scene;
+    let is_driven = run.mechanism.peak_mount_n.is_none() && run.end.is_complete();
+    let has_nothing =
+        Mechanism::from_scene(scene).is_absent() && scene.mechanism.stop.position_m.is_none();
+    scene.is_sprung() && (has_nothing || is_driven)
+}
+
 /// Lists the results, one per line; omits those that do not exist.
 pub fn results(run: &Run) -> Vec<Labelled> {
     let known = |result: Option<f64>, unit| result.map(|result| engineering(result, unit, 6));
@@ -178,12 +187,8 @@ pub fn results(run: &Run) -> Vec<Labelled> {
     let is_known = displacement.is_some()
         || so_far.plate_displacement_m.is_some()
         || run.outcome == Outcome::Unmeasured;
-    let scene = &run.scene;
     // Reason for a missing displacement.
-    let is_driven = load.peak_mount_n.is_none() && run.end.is_complete();
-    let has_nothing =
-        Mechanism::from_scene(scene).is_absent() && scene.mechanism.stop.position_m.is_none();
-    let nothing_stops_it = scene.is_sprung() && (has_nothing || is_driven);
+    let nothing_stops_it = is_endless(run);
     let none = if nothing_stops_it {
         "none: nothing stops the plate"
     } else {

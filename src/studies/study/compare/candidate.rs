@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::study::compare::hardware::{InstalledSpring, MechanismLoadCase, is_held};
-use crate::study::compare::sizing::{self, sized};
+use crate::study::compare::sizing::sized;
 use crate::study::compare::{Candidate, Entry, Failure, Hardware, hold_spring_mass};
 use crate::study::context::{Context, never_cancel};
 use crate::study::limit::{self, BESIDE_LIMIT, Limit};
@@ -118,7 +118,7 @@ impl CandidateEvaluator<'_, '_> {
             perforation,
             limit_m_s,
             failure,
-            sized: sized(&scene, self.hardware, sizing::WIDTH),
+            sized: sized(&scene, self.hardware),
             at_limit,
             run,
         })

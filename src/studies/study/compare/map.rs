@@ -9,7 +9,6 @@ use crate::study::sweep::grid::lattice;
 use crate::study::sweep::{Axis, Plan, Spacing, StudyError};
 use cmra_engine::model::scene::Scene;
 use cmra_engine::model::variables;
-use cmra_engine::numerics::larger;
 
 /// Points per batch of a thread.
 const PIECE: u64 = 16;
@@ -19,9 +18,6 @@ const STRIDES: [usize; 5] = [16, 8, 4, 2, 1];
 pub const DEFAULT_COUNT: u64 = 41;
 /// Placeholder output for the plan of a map, which requires one. The map itself does not use it.
 const OUTPUT: &str = "final_penetration_m";
-/// Relative accuracy of the thickness, and upper bound of the run tolerance. The efficiency has the same accuracy.
-const WIDTH: f64 = 1e-5;
-const TOLERANCE: f64 = 1e-6;
 /// Range of a default axis, relative to the scene's own value: of the impact velocity, and of any other variable.
 const AROUND_VELOCITY: (f64, f64) = (0.1, 2.0);
 const AROUND: (f64, f64) = (0.1, 10.0);
@@ -48,7 +44,6 @@ impl Map {
         }
         let mut own = scene.clone();
         own.sweep = None;
-        own.run.tolerance = larger(own.run.tolerance, TOLERANCE);
         let plan = Plan::new(&own, axes.to_vec(), &[OUTPUT])?;
         let count = usize::try_from(plan.points()).unwrap_or(0);
         context.expect(count);
@@ -93,7 +88,7 @@ impl Map {
                     plan.place(&mut placed, *index);
                     let mut own = placed.clone();
                     hold_spring_mass(&mut own);
-                    mass_efficiency(&own, hardware, WIDTH)
+                    mass_efficiency(&own, hardware)
                 };
                 points.iter().take_while(|_| !stop.is_set()).map(cell).collect()
             }

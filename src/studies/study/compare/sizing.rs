@@ -15,8 +15,8 @@ use cmra_engine::model::scene::{ContactModel, Scene};
 use cmra_engine::model::simulate::Settings;
 use cmra_engine::numerics::{larger, smaller};
 
-/// Relative width of the final bracket around the thickness.
-pub const WIDTH: f64 = 1e-9;
+/// Relative width of the final bracket around the thickness. The displacement, and with it the mass of a spring, changes as its square root.
+const WIDTH: f64 = 1e-9;
 /// Maximum number of times that a bracket is doubled.
 const WIDENED_MAX: usize = 19;
 /// Displacement at which a spring stores energy, m, unless it has no force.
@@ -114,23 +114,22 @@ pub fn known_absence(scene: &Scene) -> Option<Absence> {
     }
 }
 
-/// Computes the mass efficiency of a valid scene at its own impact velocity; `width` is the relative accuracy of the thickness. Pure
-/// function: does not access files or shared state.
-pub fn mass_efficiency(scene: &Scene, hardware: Hardware, width: f64) -> Result<f64, Absence> {
+/// Computes the mass efficiency of a valid scene at its own impact velocity. Pure function: does not access files or shared state.
+pub fn mass_efficiency(scene: &Scene, hardware: Hardware) -> Result<f64, Absence> {
     if !is_held(scene) {
         return Err(Absence::NOTHING_STOPS);
     }
-    sized(scene, hardware, width).map(|sized| sized.mass_efficiency())
+    sized(scene, hardware).map(|sized| sized.mass_efficiency())
 }
 
-/// Sizes a valid scene for its own impact velocity; `width` is the relative accuracy of the thickness.
-pub(super) fn sized(scene: &Scene, hardware: Hardware, width: f64) -> Result<SizedArmour, Absence> {
+/// Sizes a valid scene for its own impact velocity.
+pub(super) fn sized(scene: &Scene, hardware: Hardware) -> Result<SizedArmour, Absence> {
     if scene.is_stack() {
         return Err(Absence::STACK);
     }
     let solid = solid_thickness(scene);
     let solid_m = solid.ok_or(Absence::NO_SOLID)?;
-    let (factor, shot) = min_factor(scene, solid_m / scene.target.thickness_m, width)?;
+    let (factor, shot) = min_factor(scene, solid_m / scene.target.thickness_m)?;
     let own = scaled(scene, factor);
     let built = InstalledSpring::from_scene(&own, hardware, &shot.demand);
     if let Some(failure) = built.failure(&own, &shot.demand) {
@@ -183,15 +182,15 @@ fn shoot_by_law(scene: Scene) -> Option<Shot> {
     Some(Shot { verdict, demand })
 }
 
-/// Finds the smallest thickness factor that stops the shot, to a relative width; returns it with that shot.
-fn min_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
+/// Finds the smallest thickness factor that stops the shot; returns it with that shot.
+fn min_factor(scene: &Scene, solid: f64) -> Result<(f64, Shot), Absence> {
     let thickness_m = scene.target.thickness_m;
     let try_out = |factor: f64| shoot(scaled(scene, factor)).ok_or(Absence::NO_THICKNESS);
     // A plate that gains nothing from its mechanism is equivalent to a free or a rigid plate.
     let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
         .filter(|_| scene.is_sprung())
         .map_or(solid, |free_m| free_m / thickness_m);
-    let (mut thin, mut thick) = (free * (1.0 - width), solid * (1.0 + width));
+    let (mut thin, mut thick) = (free * (1.0 - WIDTH), solid * (1.0 + WIDTH));
     let (mut widened, mut absence) = (0, Absence::NO_THICKNESS);
     loop {
         let Some(shot) = shoot(scaled(scene, thick)) else { return Err(absence) };
@@ -219,7 +218,7 @@ fn min_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Abse
         thin = larger(0.5 * thin, thinnest);
     }
     let look = &mut |factor| Some(try_out(factor).ok()?.verdict);
-    match edge(thin, (thick, ShotOutcome::Stopped), width, look).ok_or(Absence::NO_THICKNESS)?.1 {
+    match edge(thin, (thick, ShotOutcome::Stopped), WIDTH, look).ok_or(Absence::NO_THICKNESS)?.1 {
         (_, ShotOutcome::Undecided) => Err(Absence::UNDECIDED),
         (thick, _) => Ok((thick, try_out(thick)?)),
     }
@@ -252,7 +251,7 @@ mod tests {
     #[test]
     fn shots_that_end_undecided_do_not_rule_out_a_thickness() {
         let scene = scene("interface=plastic k=1e7 n=0.3 d=5mm v_i=1");
-        let found = sized(&scene, Hardware::Own, WIDTH).map(|sized| sized.areal_kg_m2);
+        let found = sized(&scene, Hardware::Own).map(|sized| sized.areal_kg_m2);
         assert!(found.is_ok() || found.is_err_and(Absence::is_open), "{found:?}");
     }
 
@@ -265,7 +264,7 @@ mod tests {
         for changes in kinds.chain(others.map(str::to_owned)) {
             for v in [1.0, 30.0, 400.0] {
                 let scene = scene(&format!("{changes} v_i={v}"));
-                let found = mass_efficiency(&scene, Hardware::Own, 1e-4);
+                let found = mass_efficiency(&scene, Hardware::Own);
                 if let Some(absence) = known_absence(&scene) {
                     known += 1;
                     assert!(found.is_err(), "{changes} {v}: {absence:?} {found:?}");

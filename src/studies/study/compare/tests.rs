@@ -23,7 +23,7 @@ fn value(entry: &Entry, name: &str) -> f64 {
 }
 
 fn efficiency(pairs: &str) -> f64 {
-    mass_efficiency(&scene(pairs), Hardware::default(), WIDTH).unwrap()
+    mass_efficiency(&scene(pairs), Hardware::default()).unwrap()
 }
 
 fn close(a: f64, b: f64, relative: f64) -> bool {
@@ -73,16 +73,15 @@ fn a_spring_of_twice_the_mass_holds_the_shot_with_twice_the_energy() {
 /// not. In the second case every plate from a thickness of 0.432 mm on stops it.
 #[test]
 fn undecided_runs_of_thicker_plates_do_not_hide_the_thinnest_that_stops_the_shot() {
-    let sized =
-        |pairs: &str, width: f64| sizing::sized(&scene(pairs), Hardware::default(), width).unwrap();
-    let found = sized("interface=plastic v_i=84 gamma=4", WIDTH);
+    let sized = |pairs: &str| sizing::sized(&scene(pairs), Hardware::default()).unwrap();
+    let found = sized("interface=plastic v_i=84 gamma=4");
     let outcome = |thickness: f64| {
         let mut scene = found.scene.as_ref().clone();
         scene.target.thickness_m *= thickness;
         run_with(&scene, Settings::SERIES).unwrap().outcome
     };
     assert_eq!([1.0, 0.999].map(outcome), [Outcome::Arrested, Outcome::Perforated], "{found:?}");
-    let found = sized("interface=plastic v_i=44 gamma=6", 1e-5);
+    let found = sized("interface=plastic v_i=44 gamma=6");
     assert!(found.scene.target.thickness_m < 0.432e-3 && found.mass_efficiency() > 1.04);
 }
 

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use crate::study::compare::{self, Hardware, WIDTH};
+use crate::study::compare::{self, Hardware};
 use crate::study::context::CancelFlag;
 use crate::study::limit;
 use crate::study::outcome::{Failure, PointOutcome};
@@ -169,7 +169,7 @@ fn found(output: &Quantity, run: &Run) -> Result<f64, String> {
         },
         Some(Search::LimitIfSpringSurvives) => compare::limit_if_spring_survives_m_s(&run.scene),
         Some(Search::MassEfficiency) => {
-            let found = compare::mass_efficiency(&run.scene, Hardware::default(), WIDTH);
+            let found = compare::mass_efficiency(&run.scene, Hardware::default());
             found.map_err(|absence| absence.words())
         }
         None => output.value(run).ok_or_else(String::new),
