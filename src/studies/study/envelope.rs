@@ -352,9 +352,9 @@ fn of_plate(run: &Run) -> Vec<Breach> {
         found.push(Breach { check, direction: Unconservative, degree, value, meaning });
     };
     let has_coil = run.scene.is_sprung() && run.scene.mechanism.has_coil();
-    let arrest = run.first_arrest.filter(|_| has_coil);
-    let speed = arrest.map_or(0.0, |arrest| arrest.plate_velocity_m_s.abs());
-    if speed > COIL_END_M_S {
+    let arrest_m_s = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s);
+    let speed = arrest_m_s.or(run.departure.plate_velocity_m_s).unwrap_or(0.0).abs();
+    if has_coil && speed > COIL_END_M_S {
         let value = format!("spring end moves at {} m/s", significant(speed, 3));
         let meaning = format!(
             ": above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static one, and its coils may close"
@@ -540,6 +540,8 @@ mod tests {
             ("k=1e5 combine=parallel k_2=0", true),
             ("spring=prbm-cantilever combine=parallel k_2=1e5", true),
             ("spring=prbm-cantilever combine=parallel k_2=0", false),
+            // A perforated plate leaves with 39 m/s.
+            ("k=1e5 v_i=500 h=4mm", true),
         ] {
             assert_eq!(of(pairs, Check::Spring).contains("spring end moves at"), surges, "{pairs}");
         }
