@@ -73,6 +73,30 @@ fn a_model_is_set_by_name_and_unknown_names_are_refused() {
     assert!(text.contains("set model = hydrodynamic"), "{text}");
 }
 
+/// The loading stiffness that `auto` takes is as little above the unloading one as a given one, at each point of a sweep and in each draw.
+#[test]
+fn a_lumped_interface_never_gives_back_more_than_it_took() {
+    let lumped = ["--set", "model=lumped", "--set", "k_unload=1e3"];
+    for (command, more) in [
+        ("run", &[][..]),
+        ("run", &["--set", "mount=rigid"]),
+        ("sweep", &["--over", "gamma=1..2:2"]),
+        ("montecarlo", &["--samples", "2", "--vary", "gamma=uniform:1..2"]),
+        ("optimise", &["--samples", "64", "--over", "gamma=1..2"]),
+    ] {
+        let (text, status) = cmra(&[&[command], &lumped[..], more].concat());
+        assert_eq!(status, 2, "{command} {more:?}: {text}");
+        let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains("is below k_load = auto = 2.59"), "{words}");
+        assert!(words.contains("give back more than it took"), "{words}");
+    }
+    // m_p (v_i/q)^2, q = 1.5 times the depth of 7.113055 mm on a rigid mount: 2.5914 MN/m.
+    for (unload, status) in [("2.591e6", 2), ("2.592e6", 0)] {
+        let unload = format!("k_unload={unload}");
+        assert_eq!(cmra(&["run", "--set", "model=lumped", "--set", &unload]).1, status, "{unload}");
+    }
+}
+
 /// A model without a rear face reports no shot as stopped, and no limit.
 #[test]
 fn a_model_that_cannot_perforate_stops_nothing() {

@@ -4,7 +4,6 @@
 //! an interface, no peak force for an instantaneous collision. The listing of Appendix A has its own time stepping: see `appendix`.
 
 use crate::model::contact_models::half_sine::duration_s;
-use crate::model::contact_models::lumped::stiffnesses_n_m;
 use crate::model::scene::{ContactModel, Scene};
 use crate::model::units::{engineering, shortest, significant};
 
@@ -13,6 +12,7 @@ mod law;
 mod lumped;
 
 pub(super) use law::ContactLaw;
+pub(super) use lumped::stiffnesses_n_m;
 
 impl ContactModel {
     /// Contact models in the order of Table 8.1.

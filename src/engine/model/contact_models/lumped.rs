@@ -11,7 +11,7 @@ const UNLOAD_PER_LOAD: f64 = 100.0;
 
 /// Returns loading and unloading stiffness of the lumped interface, N/m. The default loading stiffness gives the travel of the hydrodynamic
 /// contact on a rigid mount.
-pub(super) fn stiffnesses_n_m(scene: &Scene) -> (f64, f64) {
+pub(in crate::model) fn stiffnesses_n_m(scene: &Scene) -> (f64, f64) {
     let load_n_m = scene.contact.load_stiffness_n_m.unwrap_or_else(|| {
         let speed_per_s = scene.projectile.velocity_m_s / hydrodynamic_on_rigid_mount(scene).1;
         scene.projectile.mass_kg * speed_per_s * speed_per_s

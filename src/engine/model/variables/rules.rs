@@ -4,10 +4,12 @@ use super::Variable;
 use super::error::VariableError;
 use super::names::find;
 use super::table::VARIABLES;
+use crate::model::contact_models::stiffnesses_n_m;
 use crate::model::plug::{Metal, Plug};
 use crate::model::run::plate_name;
 use crate::model::scene::{
-    Closure, Combination, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target, resists,
+    Closure, Combination, Contact, ContactModel, Layer, Mechanism, OwnMass, Scene, Stack, Target,
+    resists,
 };
 use crate::model::stack;
 use crate::model::units::{shortest, significant};
@@ -56,19 +58,7 @@ fn check_together(scene: &Scene) -> Result<(), VariableError> {
         )
     })?;
     check_closure(scene)?;
-    let both = contact.load_stiffness_n_m.zip(contact.unload_stiffness_n_m);
-    let lumped = both.filter(|_| contact.model == ContactModel::Lumped);
-    require(
-        lumped.is_none_or(|(load, unload)| unload >= load),
-        &["contact.unload_stiffness_n_m"],
-        || {
-            format!(
-                "{} is below k_load = {load} N/m: the interface would give back more than it took; it must be {load} N/m or more, or `auto`",
-                stated(scene, "contact.unload_stiffness_n_m"),
-                load = shortest(lumped.unwrap_or_default().0)
-            )
-        },
-    )?;
+    check_lumped(scene)?;
     if scene.is_sprung() {
         mechanism.spring.law().check()?;
         require(
@@ -84,6 +74,25 @@ fn check_together(scene: &Scene) -> Result<(), VariableError> {
         )?;
     }
     check_stack(scene)
+}
+
+/// Checks that the lumped interface gives back no more than it took, whether its stiffnesses are given or derived from the scene.
+fn check_lumped(scene: &Scene) -> Result<(), VariableError> {
+    let Contact { model, load_stiffness_n_m, unload_stiffness_n_m, .. } = scene.contact;
+    // A derived unloading stiffness is a multiple of the other.
+    if model != ContactModel::Lumped || unload_stiffness_n_m.is_none() {
+        return Ok(());
+    }
+    let (load, unload) = stiffnesses_n_m(scene);
+    let derived = if load_stiffness_n_m.is_some() { "" } else { "auto = " };
+    require(unload >= load, &["contact.unload_stiffness_n_m"], || {
+        format!(
+            "{} is below k_load = {derived}{load} N/m: the interface would give back more than it took; it must be {load} N/m or more, or \
+             `auto`",
+            stated(scene, "contact.unload_stiffness_n_m"),
+            load = shortest(load)
+        )
+    })
 }
 
 /// Checks the closure. Each closure accounts for the bulge either by dishing or in the strength, never both; cavity expansion needs an
