@@ -156,8 +156,16 @@ pub fn written_unit(text: &str) -> Option<&str> {
 /// Normalises the name of a unit: without blanks, in ASCII.
 fn squeezed(unit: &str) -> String {
     let mut name: String = unit.chars().filter(|c| !c.is_whitespace()).collect();
-    for (sign, plain) in [("µ", "u"), ("μ", "u"), ("·", "*"), ("°", "deg"), ("²", "2"), ("³", "3")]
-    {
+    for (sign, plain) in [
+        ("µ", "u"),
+        ("μ", "u"),
+        ("·", "*"),
+        ("°", "deg"),
+        ("²", "2"),
+        ("³", "3"),
+        ("^2", "2"),
+        ("^3", "3"),
+    ] {
         name = name.replace(sign, plain);
     }
     name
@@ -170,7 +178,6 @@ fn factor(unit: &str, quantity: Dimension) -> Option<(f64, f64)> {
         return Some((1.0, 1.0));
     }
     let is_accepted = unit_named(&name, quantity).is_some();
-    let name = if is_accepted { name.replace('^', "") } else { name };
     // Values are displayed with any prefix; kg already has one.
     let takes_prefix = !stored.is_empty() && !stored.starts_with("kg");
     Prefix::ALL.iter().find_map(|prefix| {
@@ -427,6 +434,10 @@ mod tests {
             ("570lbf/in", Dimension::SpringCoefficient, 570.0 * lbf / 0.0254),
             ("1 lbf s/in", Dimension::Damping, lbf / 0.0254),
             ("0.098 lb/in3", Dimension::Density, 0.098 * 0.453_592_37 / (square_inch * 0.0254)),
+            ("0.098 lb/in^3", Dimension::Density, 0.098 * 0.453_592_37 / (square_inch * 0.0254)),
+            // Water at 4 degrees Celsius: 62.43 lb/ft3 are 1000 kg/m3.
+            ("62.43 lb/ft3", Dimension::Density, 62.43 * 0.453_592_37 / (0.3048 * 0.3048 * 0.3048)),
+            ("1 lb/ft^3", Dimension::Density, 16.018_463_373_960_14),
             ("20 J/g", Dimension::SpecificEnergy, 20_000.0),
             // One kilobar is 100 MPa, one N/mm2 is 1 MPa, and a turn is 2 pi rad or 360 deg.
             ("15.2 kbar", Dimension::Pressure, 1.52e9),
@@ -435,11 +446,14 @@ mod tests {
             ("50 rad/m", Dimension::Twist, 50.0),
             ("360 deg/mm", Dimension::Twist, 2000.0 * std::f64::consts::PI),
             ("5 kg cm2", Dimension::Inertia, 5e-4),
+            ("5 kg cm^2", Dimension::Inertia, 5e-4),
+            ("5 g mm^2", Dimension::Inertia, 5e-9),
             ("pi/6 rad", Dimension::Angle, 30.0),
             ("1 lbf s", Dimension::Impulse, lbf),
             ("1 ft lbf", Dimension::Energy, 0.3048 * lbf),
             ("1.5kJ", Dimension::Energy, 1500.0),
             ("1 lb/ft2", Dimension::ArealMass, 0.453_592_37 / (0.3048 * 0.3048)),
+            ("1 lb/ft^2", Dimension::ArealMass, 0.453_592_37 / (0.3048 * 0.3048)),
             ("4 g/cm2", Dimension::ArealMass, 40.0),
             // Any prefix of the stored unit.
             ("2 GN", Dimension::Force, 2e9),

@@ -20,7 +20,7 @@ dimensions! {
     Velocity = "m/s", "m/s", "100 m/s", "m/s, mm/s, km/s, km/h, ft/s, fps, kfps, mph";
     /// (the SI unit is rad; angles are stored in degrees)
     Angle = "deg", "deg", "30deg", "deg, rad, mrad";
-    Density = "kg/m3", "kg/m3", "2710 kg/m3", "kg/m3, kg/m^3, g/cm3, g/cm^3, t/m3, t/m^3, lb/in3";
+    Density = "kg/m3", "kg/m3", "2710 kg/m3", "kg/m3, kg/m^3, g/cm3, g/cm^3, t/m3, t/m^3, lb/in3, lb/ft3";
     Pressure = "Pa", "MPa", "151.6 MPa", "Pa, kPa, MPa, GPa, N/mm2, N/mm^2, bar, kbar, psi, ksi, Msi";
     Time = "s", "ms", "150 us", "s, ms, us, ns, min";
     Force = "N", "kN", "19kN", "N, kN, MN, lbf";
@@ -86,6 +86,8 @@ pub(super) const UNITS: &[(&str, f64, f64)] = &[
     ("g/cm3", 1e3, 1.0),
     ("t/m3", 1e3, 1.0),
     ("lb/in3", 453_592_370_000.0, 16_387_064.0),
+    // Cubic foot: 0.028316846592 m³.
+    ("lb/ft3", 453_592_370_000.0, 28_316_846_592.0),
     ("N/mm2", 1e6, 1.0),
     ("bar", 1e5, 1.0),
     // Square inch: 6.4516e-4 m².
