@@ -43,8 +43,9 @@ pub(super) struct CompareArguments {
 /// Runs the comparison; exit status 0 also if the mechanism has no advantage.
 pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     arguments.pictures.check(&arguments.study.table)?;
-    let preset = arguments.study.load()?;
+    let preset = arguments.study.read()?;
     let request = arguments.request(&preset.scene)?;
+    arguments.study.say_unused(&preset.scene, request.map.as_ref().map_or(&[], |axes| &axes[..]));
     if let Some(axes) = &request.map {
         return arguments.draw_map(&preset, axes, &request);
     }

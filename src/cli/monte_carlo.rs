@@ -93,8 +93,10 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 
 /// Runs the samples; exit status 1 if a sample failed, or after an interrupt.
 pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
-    let preset = arguments.study.load()?;
+    let preset = arguments.study.read()?;
     let request = arguments.request(&preset.scene)?;
+    let varied = request.vary.iter().map(|it| it.variable);
+    arguments.study.scene.changes.say_unused(&preset.scene, varied);
     let (report, extent) =
         arguments.study.run("runs", |context| study(&preset.scene, &request, context));
     let report = report?;

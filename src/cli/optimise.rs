@@ -12,6 +12,7 @@ use cmra_studies::report::front::{self, page};
 use cmra_studies::study::search::front::{
     Constraint, Objective, Request, SAMPLES, default_bounds, run as search,
 };
+use cmra_studies::study::sweep::default_axes::{or_usual, thesis_axes};
 
 #[derive(Debug, Args)]
 #[command(after_help = "QUANTITY is any quantity: `cmra explain` lists all. \
@@ -83,8 +84,10 @@ impl OptimiseArguments {
 
 /// Runs the search; exit status 1 if no design satisfies every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
-    let preset = arguments.study.load()?;
+    let preset = arguments.study.read()?;
     let request = arguments.request(&preset.scene)?;
+    let over = or_usual(&request.over, || thesis_axes(&preset.scene))?;
+    arguments.study.say_unused(&preset.scene, &over);
     let (front, extent) =
         arguments.study.run("runs", |context| search(&preset.scene, &request, context));
     let front = front?;

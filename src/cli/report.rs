@@ -16,8 +16,8 @@ use crate::files::export;
 use crate::files::report::{html, is_report};
 use cmra_engine::model::scene::Scene;
 use cmra_studies::study::limit;
-use cmra_studies::study::sweep::Plan;
 use cmra_studies::study::sweep::grid::{Grid, PIECE};
+use cmra_studies::study::sweep::{Axis, Plan};
 
 #[derive(Debug, Args)]
 #[command(
@@ -51,7 +51,9 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         }
         export::check(path, "html", existing)?;
     }
-    let preset = arguments.scene.load()?;
+    let preset = arguments.scene.read()?;
+    let axes = preset.scene.sweep.as_ref().map(Axis::all_of).transpose()?.unwrap_or_default();
+    arguments.scene.changes.say_unused(&preset.scene, axes.iter().map(Axis::variable));
     let scene = Arc::new(preset.scene);
     let run = compute(&scene)?;
     let threads = arguments.threads.count();

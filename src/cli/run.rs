@@ -217,7 +217,8 @@ impl Glyphs {
 
 /// Runs the scene with every contact model; a model that does not apply has no row.
 fn compare_models(arguments: &RunArguments) -> Result<ExitCode, CliError> {
-    let preset = arguments.scene.load()?;
+    let preset = arguments.scene.read()?;
+    arguments.scene.changes.say_unused(&preset.scene, variables::find("contact.model").ok());
     variables::require_single(&preset.scene)?;
     let mut runs: Vec<NamedRun> = Vec::new();
     for model in ContactModel::IN_TABLE_8_1 {

@@ -18,7 +18,7 @@ use crate::files::{clean, read_table};
 use cmra_engine::model::mechanism::PowerLaw;
 use cmra_engine::model::scene::{Closure, Mechanism, PlateSize, Scene, SpringKind, Table};
 use cmra_engine::model::units::{self, Bare, Dimension, shortest};
-use cmra_engine::model::variables::{self, Variable, is_used, used_where};
+use cmra_engine::model::variables::{self, Variable, can_be_used, used_where};
 use cmra_studies::study::error::refusal;
 use cmra_studies::study::library::{Library, note_closure};
 
@@ -57,14 +57,20 @@ pub(super) struct SceneOverrides {
 }
 
 impl SceneArguments {
-    /// Returns the scene with all changes applied.
+    /// Returns the scene with all changes applied, and says which of them have no effect.
     pub(super) fn load(&self) -> Result<Preset, CliError> {
+        let preset = self.read()?;
+        self.changes.say_unused(&preset.scene, []);
+        Ok(preset)
+    }
+
+    /// Returns the scene with all changes applied. A study that varies variables then calls [`SceneOverrides::say_unused`].
+    pub(super) fn read(&self) -> Result<Preset, CliError> {
         let mut preset = match self.scene.as_deref() {
             Some(name) if name == "-" => from_stdin()?,
             name => named(name.unwrap_or_else(|| OsStr::new(bundled::BASELINE)))?,
         };
         self.changes.apply(&mut preset.scene)?;
-        self.changes.say_unused(&preset.scene);
         if let Some(heading) = self.changes.heading(&preset.name) {
             preset.heading.clone_from(&heading);
             preset.scene.title = heading;
@@ -124,13 +130,18 @@ impl SceneOverrides {
     }
 
     /// Prints a note for each `--set` without effect, with the changes that would give it one, and for each coefficient with the unit of a
-    /// linear law if the law is not linear.
-    fn say_unused(&self, scene: &Scene) {
+    /// linear law if the law is not linear. A variable that takes effect for some values of those that vary has no note.
+    pub(super) fn say_unused(
+        &self,
+        scene: &Scene,
+        varied: impl IntoIterator<Item = &'static Variable>,
+    ) {
+        let varied: Vec<&Variable> = varied.into_iter().collect();
         for argument in &self.set {
             let Some(variable) = variable_of(argument) else { continue };
             let (_, value) = argument.split_once('=').unwrap_or_default();
             let symbol = variable.symbol;
-            if !is_used(variable, scene) {
+            if !can_be_used(variable, scene, &varied) {
                 let lacks = if variables::gives_mass(variable) {
                     "changes only masses here, not the motion"
                 } else {

@@ -44,7 +44,8 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let goal: Goal = arguments.goal.parse().map_err(refuse)?;
     let request =
         Request { over: Axis::read_range(&arguments.over, Some(DEFAULT_SCAN), &SCAN)?, goal };
-    let preset = arguments.study.load()?;
+    let preset = arguments.study.read()?;
+    arguments.study.say_unused(&preset.scene, std::slice::from_ref(&request.over));
     let (report, extent) =
         arguments.study.run("runs", |context| solve(&preset.scene, &request, context));
     let report = report?;

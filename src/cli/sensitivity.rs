@@ -9,8 +9,9 @@ use crate::cli::{CliError, Glyphs};
 use crate::tui::theme::GlyphSet;
 use cmra_studies::report::sensitivity::{self, ASCII, BLOCKS, page, table};
 use cmra_studies::study::quantities::named;
-use cmra_studies::study::sensitivity::{OUTPUT, Request, run as analyse};
+use cmra_studies::study::sensitivity::{OUTPUT, Request, default_axes, run as analyse};
 use cmra_studies::study::sweep::Axis;
+use cmra_studies::study::sweep::default_axes::or_usual;
 use cmra_studies::study::validity;
 
 #[derive(Debug, Args)]
@@ -38,7 +39,9 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         over: axes(&arguments.over)?,
         output: arguments.output.as_deref().map(named).transpose()?,
     };
-    let preset = arguments.study.load()?;
+    let preset = arguments.study.read()?;
+    let over = or_usual(&request.over, || Ok(default_axes(&preset.scene)))?;
+    arguments.study.say_unused(&preset.scene, &over);
     let (report, extent) =
         arguments.study.run("runs", |context| analyse(&preset.scene, &request, context));
     let report = report?;

@@ -9,6 +9,7 @@ use crate::cli::study::StudyArguments;
 use crate::cli::table::choice;
 use crate::cli::{CliError, text};
 use cmra_engine::model::run::Warning;
+use cmra_engine::model::variables;
 use cmra_studies::report::stability as tables;
 use cmra_studies::report::stability::{
     battery_page, failures, map_page, scene_page, scene_table, table,
@@ -72,7 +73,9 @@ fn check_scene(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
 }
 
 fn draw_map(arguments: &StabilityArguments, variable: MapVariable) -> Result<ExitCode, CliError> {
-    let preset = arguments.study.load()?;
+    let preset = arguments.study.read()?;
+    let changes = &arguments.study.scene.changes;
+    changes.say_unused(&preset.scene, variables::find(variable.symbol()).ok());
     map::accepts(&preset.scene)?;
     let size = if arguments.quick { map::QUICK } else { map::SIZE };
     let wanted = StabilityMapRequest { method: arguments.method, variable, size };

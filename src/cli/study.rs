@@ -35,6 +35,17 @@ impl StudyArguments {
         self.scene.load()
     }
 
+    /// Loads the scene of a study that varies variables; [`Self::say_unused`] follows.
+    pub(super) fn read(&self) -> Result<Preset, CliError> {
+        self.table.check(true)?;
+        self.scene.read()
+    }
+
+    /// Says which changes have no effect on a scene, whatever values the axes have.
+    pub(super) fn say_unused(&self, scene: &Scene, axes: &[Axis]) {
+        self.scene.changes.say_unused(scene, axes.iter().map(Axis::variable));
+    }
+
     /// Runs a study and shows its progress.
     pub(super) fn run<P: ?Sized, T>(
         &self,

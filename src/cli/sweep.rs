@@ -30,7 +30,7 @@ use cmra_studies::study::context::{Context, Progress, Reach, Work};
 use cmra_studies::study::outcome::OutcomeCounts;
 use cmra_studies::study::quantities;
 use cmra_studies::study::sweep::grid::{Grid, PIECE};
-use cmra_studies::study::sweep::{Evaluator, Plan, Shard};
+use cmra_studies::study::sweep::{Axis, Evaluator, Plan, Shard};
 use cmra_studies::study::validity;
 
 #[derive(Debug, Args)]
@@ -76,10 +76,11 @@ impl SweepArguments {
 pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_stdout()?;
     arguments.pictures.check(&arguments.table)?;
-    let preset = arguments.scene.load()?;
+    let preset = arguments.scene.read()?;
     let rows_wanted = arguments.table.json || arguments.table.is_wanted();
     let (plan, columns) = arguments.points.plan(&preset, !rows_wanted)?;
     let plan = Arc::new(plan);
+    arguments.scene.changes.say_unused(&preset.scene, plan.axes().iter().map(Axis::variable));
     let shard = Shard::parse(&arguments.shard)?;
     let draws = arguments.pictures.is_wanted();
     if draws && !(shard == Shard::WHOLE && page::is_drawable(&plan)) {

@@ -157,6 +157,42 @@ fn a_set_without_effect_or_in_the_unit_of_another_law_is_named() {
     }
 }
 
+/// A variable that another one makes effective is not called ineffective where that one varies.
+#[test]
+fn a_set_that_takes_effect_where_another_variable_varies_is_not_named() {
+    for (command, arguments) in [
+        ("sweep", &["m=2", "--over", "b=0..100:2"][..]),
+        ("sweep", &["e=0.5", "--over", "x_stop=1mm..5mm:2"]),
+        ("sweep", &["n=2", "--set", "k=0", "--over", "k=1e4,1e5"]),
+        ("seek", &["m=2", "--over", "b=1..100:3", "--goal", "stroke_m=10mm"]),
+        ("optimise", &["m=2", "--over", "b=1..100", "--samples", "64"]),
+        ("optimise", &["m=2", "--samples", "64"]),
+        ("sensitivity", &["m=2", "--over", "b=1..100"]),
+        ("sensitivity", &["m=2"]),
+        ("montecarlo", &["m=2", "--vary", "b=uniform:1..100", "--samples", "2"]),
+        ("compare", &["m=2", "--map", "b=1..100:2,gamma=1..2:2"]),
+        ("stability", &["m=2", "--map", "b", "--quick"]),
+        ("stability", &["n=2", "--set", "k=0", "--map", "k", "--quick"]),
+        ("run", &["k_unload=1e7", "--compare", "models"]),
+        ("run", &["d=1mm", "--set", "k=0", "--set", "b=456"]),
+    ] {
+        let output = cmra(command, &[&["--set"], arguments].concat()).output().unwrap();
+        let found = String::from_utf8(output.stderr).unwrap();
+        assert_ne!(output.status.code(), Some(2), "{command} {arguments:?}: {found}");
+        assert!(!found.contains("has no effect on this scene"), "{command} {arguments:?}: {found}");
+    }
+    // Another variable that varies changes nothing about it.
+    for (command, arguments) in [
+        ("sweep", &["m=2", "--over", "gamma=1..2:2"][..]),
+        ("montecarlo", &["m=2", "--vary", "gamma=uniform:1..2", "--samples", "2"]),
+        ("limit", &["m=2"]),
+        ("run", &["l_beam=0.2", "--compare", "models"]),
+    ] {
+        let found = says(command, &[&["--set"], arguments].concat(), 0).1;
+        assert!(found.contains("has no effect on this scene"), "{command} {arguments:?}: {found}");
+    }
+}
+
 /// A sphere of 6.2 mm and the mass of the core: plates of 3 and 5 mm dish, one of 8 mm does not, in a sweep as one by one.
 #[test]
 fn valid_each_plate_of_a_sweep_has_the_closure_of_its_own_thickness() {

@@ -26,8 +26,8 @@ pub use row::{Allowed, Group, Value};
 pub use rules::{require_hydrodynamic, require_plain, require_single, validate};
 pub use table::{Kind, Number, VARIABLES, Variable};
 pub use visible::{
-    exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size, sizes_plate,
-    used_where,
+    can_be_used, exclude_each_other, gives_mass, is_listed, is_offered, is_used, overrules_size,
+    sizes_plate, used_where,
 };
 
 impl Variable {

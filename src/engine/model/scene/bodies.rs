@@ -2,7 +2,7 @@
 
 use crate::model::labelled_enum::labelled_enum;
 use crate::model::scene::contact::{Contact, is_listing, penetrates, resists};
-use crate::model::scene::mechanism::{Mechanism, has_stop};
+use crate::model::scene::mechanism::Mechanism;
 use crate::model::units::Dimension;
 use crate::model::variables::part::{TABLE_9_1, TABLE_9_2, part, part_mut, parts, rows};
 use crate::model::variables::row::{Allowed, RowKind, RowNumber};
@@ -89,7 +89,7 @@ parts! {
         pub size: PlateSize = PlateSize::Ratio(1.0) => each(sizes);
         pub cocking_m: f64 = 0.0 => "d", "cocking distance", "cocking distance: the plate starts at x = -d",
             number(Length, NonNegative).thesis_range(Some((0.0, 0.5)))
-            .used(|scene| is_sprung(scene) && (part::<Mechanism>(scene).has_springs() || has_stop(scene))).source(TABLE_9_2);
+            .used(is_sprung).source(TABLE_9_2);
         pub velocity_m_s: f64 = 0.0 => "w_0", "plate speed", "plate velocity at first contact, away from the shot",
             number(Velocity, Closing).own_name("plate_velocity").is_seldom(true).used(is_sprung)
             .source("thesis Appendix A.1, y(2), and section 4.3.2; 0 throughout chapter 9; in a stack it is that of the first plate");

@@ -11,6 +11,32 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
     is_there(scene) && acts(scene) && when(scene) && used(scene)
 }
 
+/// Returns `true` if a scene uses a variable for some values of the variables that vary.
+pub fn can_be_used(variable: &Variable, scene: &Scene, varied: &[&Variable]) -> bool {
+    let mut scenes = vec![scene.clone()];
+    // Rules ask whether a number is there, is zero, or is above or below another one. The first value that is allowed counts.
+    for values in [&[0.0][..], &[1e-6, 1.0], &[1e6, 2.0, 1.0]] {
+        let mut far = scene.clone();
+        for it in varied {
+            let mut values = values.iter().map(|value| Value::Number(*value));
+            let _is_set = values.any(|value| it.set(&mut far, value).is_ok());
+        }
+        scenes.push(far);
+    }
+    for it in varied {
+        let with = |word| {
+            let of = move |scene: &Scene| {
+                let mut scene = scene.clone();
+                it.set(&mut scene, Value::Word(word)).ok().map(|()| scene)
+            };
+            scenes.iter().filter_map(of)
+        };
+        let more: Vec<Scene> = it.keys().iter().copied().flat_map(with).collect();
+        scenes.extend(more);
+    }
+    scenes.iter().any(|scene| is_used(variable, scene))
+}
+
 /// Returns `true` if lists show the variable.
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
     (variable.part[0])(scene) && (variable.when)(scene) && (variable.listed)(scene)
@@ -139,7 +165,8 @@ mod tests {
             ("", "k_2", false),
             ("", "g", true),
             ("mount=rigid", "g", false),
-            ("k=0", "d", false),
+            ("k=0", "d", true),
+            ("mount=rigid", "d", false),
             ("k=0 x_stop=0.01", "d", true),
         ] {
             assert_eq!(is_used(find(name).unwrap(), &scene_with(scene)), used, "{scene}: {name}");
