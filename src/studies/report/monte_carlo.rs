@@ -156,6 +156,9 @@ pub fn page(title: &str, report: &MonteCarloReport, (answer, reach): (&str, Reac
         let again = drawn_again(*redrawn).map(|text| format!("   truncated: {text}"));
         page.line(format!("  {tolerance}{}", again.unwrap_or_default()));
     }
+    if let Some(again) = drawn_again(report.redrawn_together) {
+        page.line(format!("  truncated: {again}, whose values are not allowed together"));
+    }
     page.space();
     page.line(report.outcomes.to_string());
     let through = perforation(report).map(|[text, _]| text);
@@ -208,6 +211,7 @@ pub fn json(name: &str, report: &MonteCarloReport, verdict: &Verdict, reach: Rea
     let mut object = json!({
         "scene": name,
         "inputs": inputs.collect::<Vec<_>>(),
+        "redrawn_together": report.redrawn_together,
         "seed": report.seed,
         "samples": report.samples,
         "model_error": { "bias": report.model.bias, "spread": report.model.spread },

@@ -185,6 +185,8 @@ pub struct MonteCarloReport {
     pub tolerances: Vec<Tolerance>,
     /// Number of repeated draws of each input, because the value made no physical sense.
     pub redrawn: Vec<usize>,
+    /// Number of samples drawn again, because their values were not allowed together.
+    pub redrawn_together: usize,
     /// Seed of the random stream.
     pub seed: u64,
     /// Number of evaluated samples.
@@ -275,11 +277,11 @@ pub fn run(
     let (tolerances, model) = (request.tolerances(scene), request.model(scene));
     let (wanted, seed) = (request.count(), request.seed);
     let space = space(scene, request, &tolerances)?;
-    let (mut random, mut redrawn) = (Random::new(seed), vec![0; tolerances.len()]);
+    let mut random = Random::new(seed);
     let mut drawn_scene = scene.clone();
-    let mut sample = || sample(&tolerances, &mut drawn_scene, &mut random, &mut redrawn);
     let mut report = MonteCarloReport {
         tolerances: tolerances.clone(),
+        redrawn: vec![0; tolerances.len()],
         seed,
         model,
         ..MonteCarloReport::default()
@@ -294,7 +296,8 @@ pub fn run(
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.outputs().len()];
     let mut drawn = 0;
     while drawn < wanted && !context.is_stopped() {
-        let batch = (drawn..wanted).take(BATCH).map(|_| sample());
+        let sample = |_| sample(&mut report, &mut drawn_scene, &mut random);
+        let batch = (drawn..wanted).take(BATCH).map(sample);
         let designs = batch.collect::<Result<Vec<_>, _>>()?;
         drawn += designs.len();
         let found = space.evaluate(&designs, context);
@@ -314,7 +317,6 @@ pub fn run(
             }
         }
     }
-    report.redrawn = redrawn;
     report.perforated = perforated(report.outcomes);
     report.nominal = nominal.as_ref().map(|found| found.outcome);
     let summary = |(at, values)| {
@@ -364,17 +366,16 @@ fn space(scene: &Scene, request: &Request, tolerances: &[Tolerance]) -> Result<P
     Plan::for_designs(scene, axes, &request.measures())
 }
 
-/// Draws values of all inputs that together make physical sense in the scene; counts the repeated draws of each input.
+/// Draws values of all inputs that together make physical sense in the scene; counts the repeated draws of each input and of all together.
 fn sample(
-    tolerances: &[Tolerance],
+    report: &mut MonteCarloReport,
     scene: &mut Scene,
     random: &mut Random,
-    redrawn: &mut [usize],
 ) -> Result<Vec<f64>, StudyError> {
     let mut last = String::new();
     for _ in 0..DRAWS_MAX {
-        let mut values = Vec::with_capacity(tolerances.len());
-        for (tolerance, redrawn) in tolerances.iter().zip(&mut *redrawn) {
+        let mut values = Vec::with_capacity(report.tolerances.len());
+        for (tolerance, redrawn) in report.tolerances.iter().zip(&mut report.redrawn) {
             let mut value = tolerance.distribution.draw(random);
             for _ in 0..DRAWS_MAX {
                 if tolerance.number.allowed.contains(value) {
@@ -390,6 +391,7 @@ fn sample(
             Ok(()) => return Ok(values),
             Err(error) => last = error.to_string(),
         }
+        report.redrawn_together += 1;
     }
     Err(StudyError::NoDraw { draws: DRAWS_MAX, last })
 }

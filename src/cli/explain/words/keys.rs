@@ -184,6 +184,10 @@ pub(super) const KEYS: &[Entry] = &[
         "distribution of an input, and its two numbers: mean or median and width, or ends",
     ),
     (&["redrawn"], "number of draws repeated because the value was not allowed"),
+    (
+        &["redrawn_together"],
+        "number of samples drawn again because their values were not allowed together",
+    ),
     (&["outcomes"], "number of samples with each outcome"),
     (&["probability"], "fraction of the samples that perforate"),
     (

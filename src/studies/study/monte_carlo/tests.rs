@@ -89,6 +89,19 @@ fn what_is_impossible_is_drawn_again_and_counted() {
 }
 
 #[test]
+fn what_is_impossible_together_is_drawn_again_and_counted() {
+    // A quarter of the shots is slower than the plate that flees from them: a third of a repeated draw per sample.
+    let mut scene = Scene::default();
+    scene.plate.velocity_m_s = 90.0;
+    let slow = Tolerance::new("v_i", Distribution(Kind::Uniform, (80.0, 120.0))).unwrap();
+    let report = sampled(&scene, &task(vec![slow], &["final_penetration_m"], 900));
+    assert_eq!((report.samples, &*report.redrawn), (900, &[0][..]));
+    let fraction = report.redrawn_together as f64 / 900.0;
+    // Five standard deviations of the negative binomial distribution.
+    assert!((fraction - 1.0 / 3.0).abs() < 0.11, "{fraction}");
+}
+
+#[test]
 fn tolerances_are_read_as_people_write_them() {
     let scene = Scene::default();
     let read =

@@ -78,7 +78,8 @@ impl Answer for MonteCarloReport {
     }
 
     fn remarks(&self, _app: &App) -> Vec<TextLine> {
-        let again = drawn_again(self.redrawn.iter().sum()).map(|text| format!("; {text}"));
+        let redrawn = self.redrawn.iter().sum::<usize>() + self.redrawn_together;
+        let again = drawn_again(redrawn).map(|text| format!("; {text}"));
         vec![note(format!("{}{}", self.outcomes, again.unwrap_or_default()))]
     }
 
