@@ -353,17 +353,14 @@ impl Run {
 
     /// Returns the outcome of the shot by the criterion of the scene; for a stack that in the last plate struck.
     pub fn shot_outcome(&self) -> Outcome {
-        let outcome = self.stack.as_ref().map_or(self.outcome, |stack| stack.outcome);
-        let is_in_base = self.stack.as_ref().is_none_or(|stack| {
-            stack.behind.len() == stack.elements && outcome != Outcome::Separated
-        });
-        let base = self.plates().last().filter(|_| is_in_base);
-        let by_protrusion = self.scene.target.criterion == Criterion::Protrusion;
-        match base.filter(|run| by_protrusion && run.protrusion_m().is_some()) {
-            Some(base) if plug::is_law_low(&base.scene) => Outcome::Unmeasured,
-            Some(_) => Outcome::Perforated,
-            None => outcome,
+        if let Some(stack) = &self.stack {
+            return stack.outcome;
         }
+        let by_protrusion = self.scene.target.criterion == Criterion::Protrusion;
+        if !by_protrusion || self.protrusion_m().is_none() {
+            return self.outcome;
+        }
+        if plug::is_law_low(&self.scene) { Outcome::Unmeasured } else { Outcome::Perforated }
     }
 
     /// Returns `true` if the run is complete and the outcome of the shot is decided.

@@ -40,7 +40,7 @@ pub fn follow(
     warn_of_gaps(scene, first, &behind, elements);
     let last = behind.last().map_or(&*first, |run| run);
     let residual_velocity_m_s = residual_velocity_m_s(last);
-    let (outcome, depth_m) = match last.outcome {
+    let (ended, depth_m) = match last.outcome {
         // A plate that oscillates across the projectile has stopped it, though from behind.
         Outcome::Perforated if last.end.is_complete() && residual_velocity_m_s.is_none() => {
             (Outcome::Separated, Some(last.scene.effective_thickness_m()))
@@ -48,6 +48,9 @@ pub fn follow(
         Outcome::Perforated | Outcome::Moving | Outcome::Unmeasured => (last.outcome, None),
         Outcome::Arrested | Outcome::Separated => (last.outcome, last.penetration.final_m),
     };
+    // A nose that stands out of an element is still within the stack.
+    let is_in_base = behind.len() == elements;
+    let outcome = if is_in_base { last.shot_outcome() } else { ended };
     Ok(Some(StackRun {
         elements,
         outcome,
@@ -171,5 +174,22 @@ mod tests {
         };
         assert_eq!(stopped(1).sentence(), "stack: stopped in element 1, 10.0000 mm in all");
         assert_eq!(stopped(0).sentence(), "stack: stopped in the base plate, 10.0000 mm in all");
+    }
+
+    /// The same shot, perforated by the one criterion and stopped by the other, has one outcome wherever it is told.
+    #[test]
+    fn a_nose_out_of_the_base_plate_perforates_the_stack_by_protrusion() {
+        let shot = "h_base=3mm h=0.5mm v_i=110 elements=1";
+        let passage = bare_run(&scene_with(shot));
+        let out = bare_run(&scene_with(&format!("{shot} criterion=protrusion")));
+        let [passed, stuck] = [&out, &passage].map(|run| run.stack.clone().unwrap());
+        assert_eq!((passage.shot_outcome(), stuck.outcome), (Outcome::Arrested, Outcome::Arrested));
+        assert_eq!(
+            (out.shot_outcome(), passed.outcome),
+            (Outcome::Perforated, Outcome::Perforated)
+        );
+        assert_eq!(passed.penetration_m, stuck.penetration_m);
+        let sentence = passed.sentence();
+        assert!(sentence.starts_with("stack: perforated by the army criterion"), "{sentence}");
     }
 }

@@ -265,7 +265,7 @@ fn stack_of(whole: &Run, stack: &StackRun) -> Value {
             let row = json!({
                 "plate": stack.name(plate),
                 "impact_velocity_m_s": run.scene.projectile.velocity_m_s,
-                "outcome": run.outcome.word(),
+                "outcome": stack.outcome_of(plate, run).word(),
             });
             with_results(row, run)
         })
@@ -386,6 +386,20 @@ mod tests {
             let cell = if stays { &depth } else { "through" };
             assert_eq!(table.cells(&["final_penetration_m"])[0].cells[0], cell, "{pairs}");
         }
+    }
+
+    /// Headline, table and objects of a stack name one outcome, by the criterion of the scene.
+    #[test]
+    fn a_stack_perforated_by_protrusion_is_perforated_everywhere() {
+        let run = run_of("elements=1 h_base=3mm h=0.5mm v_i=110 criterion=protrusion");
+        let object: Value = serde_json::from_str(&json("a stack", &run, None)).unwrap();
+        assert_eq!(object["outcome"], "perforated");
+        assert_eq!(object["stack"]["outcome"], "perforated");
+        assert_eq!(object["stack"]["plates"][1]["outcome"], "perforated");
+        assert!(object["stack"]["plates"][1]["final_penetration_m"].is_number());
+        let page = format!("{:?}", stack::blocks(&run));
+        assert!(!page.contains("arrested") && !page.contains("stopped"), "{page}");
+        assert!(page::outcome(&run).contains("perforated by the army criterion"));
     }
 
     fn jump() -> Vec<Sample> {

@@ -51,7 +51,7 @@ fn table(first: &Run, stack: &StackRun) -> Vec<Cells> {
     vec![
         column("plate", true, &|plate, _| stack.name(plate)),
         column("impact m/s", false, &|_, run| number(Some(run.scene.projectile.velocity_m_s))),
-        column("outcome", true, &|_, run| run.outcome.word().to_owned()),
+        column("outcome", true, &|plate, run| stack.outcome_of(plate, run).word().to_owned()),
         column("depth mm", false, &|_, run| depth(run)),
         column("leaves m/s", false, &|_, run| number(run.departure.residual_velocity_m_s)),
         column("travel mm", false, &|_, run| number(run.max_plate_displacement_m.map(|x| 1e3 * x))),

@@ -326,7 +326,9 @@ pub(in crate::study) fn answer_of(run: &Run) -> Result<Answer, Refusal> {
         return Err(Refusal::Ended(last.end));
     }
     let time_s = run.first_arrest.map(|arrest| arrest.t_s).or(run.departure.exit_time_s);
-    let depth_m = run.shot_depth_m().filter(|_| outcome != Outcome::Perforated);
+    // A stack that only its protruding nose perforates has a depth, and no other perforated one.
+    let is_stopped = run.stack.is_some() || outcome != Outcome::Perforated;
+    let depth_m = run.shot_depth_m().filter(|_| is_stopped);
     let cost = run.cost;
     Ok(Answer {
         outcome,
