@@ -19,7 +19,8 @@ use cmra_studies::study::sweep::default_axes::{or_usual, thesis_axes};
     Without --minimise and --maximise: depth, stroke, system mass and mount force are minimised; of a stack the depth.\n\
     Only feasible designs count (`--no-feasibility` switches this off): the shot is slower than the band of the limit where such shots were \
     measured, its own run is not perforated, and the run has no warning that the answer errs on the unsafe side, such as an interface, a spring \
-    or a stop that does not carry its load, or a plate's face below 3 diameters.\n\
+    or a stop that does not carry its load, or a plate's face below 3 diameters. Warnings of the scene itself are let pass, other than of \
+    loads; the page names them.\n\
     Designs are sampled by Sobol's sequence, first everywhere, then in shrinking boxes around the best. The same request gives the \
     same digits.\n\
     Exit status 1 when no design satisfies every constraint.")]

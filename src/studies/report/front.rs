@@ -15,9 +15,18 @@ use crate::study::verdict::Verdict;
 use cmra_engine::model::run::{Outcome, Warning};
 use cmra_engine::model::units::{significant, velocity};
 
-/// Constraint of a search unless it is switched off.
-pub const FEASIBLE: &str =
-    "feasible: the shot is stopped, and no warning that the answer errs on the unsafe side";
+/// Describes the constraint of a search unless it is switched off, with the warnings that it lets pass.
+fn feasible(front: &FrontReport) -> String {
+    let passes = front.known.iter().filter(|it| validity::lets_pass(**it, &front.known));
+    let passes: Vec<&str> = passes.map(|check| check.label()).collect();
+    let but = match &*passes {
+        [] => String::new(),
+        labels => format!(", but for those of the scene itself ({})", labels.join(", ")),
+    };
+    format!(
+        "feasible: the shot is stopped, and no warning that the answer errs on the unsafe side{but}"
+    )
+}
 
 /// Returns warnings about the rows: those of a single best design; for a front, the number of designs outside validity.
 pub fn warnings(front: &FrontReport) -> Vec<Warning> {
@@ -139,7 +148,7 @@ pub fn page(title: &str, front: &FrontReport, reach: Reach) -> Page {
         page.line(format!("  subject to {}", constraint.label()));
     }
     if request.is_feasible {
-        page.line(format!("  {FEASIBLE} (--no-feasibility switches this off)"));
+        page.line(format!("  {} (--no-feasibility switches this off)", feasible(front)));
     }
     for axis in &request.over {
         let (low, high) = axis.ends();
@@ -220,4 +229,31 @@ pub fn json(name: &str, front: &FrontReport, reach: Reach) -> Value {
         "complete": reach.is_complete(),
         "designs": table(name, front).objects(|key| !["scene", "interface"].contains(&key)),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::context::{Context, never_cancel};
+    use crate::study::search::front::{Request, run};
+    use crate::study::testing::scene;
+
+    /// Wire is not counted by default: the scene itself fails the check of the springs' mass.
+    #[test]
+    fn the_sentence_names_the_warnings_that_are_let_pass() {
+        let request = Request { samples: 16, ..Request::default() };
+        let text = |pairs: &str| {
+            let front = run(&scene(pairs), &request, &mut Context::new(2, &mut never_cancel));
+            feasible(&front.unwrap())
+        };
+        let own = text("face=60mm interface=plastic");
+        assert!(
+            own.contains("but for those of the scene itself (") && own.contains("spring mass"),
+            "{own}"
+        );
+        // Loads never pass.
+        let overloaded = text("v_i=300");
+        assert!(!overloaded.contains("interface"), "{overloaded}");
+        assert!(text("k=0 b=0 h=12mm").ends_with("unsafe side"));
+    }
 }

@@ -217,8 +217,12 @@ impl Plastic {
     }
 }
 
-/// Returns the checks that make a design infeasible: those with an unsafe error, except checks of the choice of model that the original
-/// scene also fails (`known`).
+/// Whether a search lets pass a check that its designs fail: one of the choice of model that the original scene also fails (`known`).
+pub fn lets_pass(check: Check, known: &[Check]) -> bool {
+    !check.is_of_load() && known.contains(&check)
+}
+
+/// Returns the checks that make a design infeasible: those with an unsafe error, except those that are let pass.
 pub fn infeasible(
     design: &Scene,
     known: &[Check],
@@ -228,7 +232,7 @@ pub fn infeasible(
     let found = breaches(design, run.as_ref()).into_iter();
     let is_unsafe = |it: &Breach| it.direction == Direction::Unconservative;
     let checks = found.filter(is_unsafe).map(|it| it.check);
-    checks.filter(|it| it.is_of_load() || !known.contains(it)).collect()
+    checks.filter(|it| !lets_pass(*it, known)).collect()
 }
 
 /// Returns the warnings of a design that are not in `known`, with the values that define the design.

@@ -15,7 +15,7 @@ pub(super) const WORDS: &[Entry] = &[
     ),
     (
         &["feasible"],
-        "a design without a warning on the unsafe side (interface, spring, stop, face)",
+        "a design without a new warning on the unsafe side (interface, spring, stop, face)",
     ),
     (
         &["design", "designs"],

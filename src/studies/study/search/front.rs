@@ -182,6 +182,8 @@ pub struct FrontReport {
     pub infeasible: Vec<(Check, usize)>,
     /// Number of designs that are infeasible because the plate is not known to stop the projectile.
     pub unstopped: usize,
+    /// Checks that the scene itself fails.
+    pub known: Vec<Check>,
 }
 
 impl FrontReport {
@@ -214,14 +216,12 @@ pub fn run(
     context.expect(request.samples);
     let known =
         DesignValidity::from_run(scene, request.objectives[0].measure, &[], &mut || true).fails;
-    let front = FrontReport { request, base: scene.clone(), ..FrontReport::default() };
-    Ok(Search { plan, known, front }.run(context))
+    let front = FrontReport { request, base: scene.clone(), known, ..FrontReport::default() };
+    Ok(Search { plan, front }.run(context))
 }
 
 struct Search {
     plan: Plan,
-    /// Checks that the scene itself fails; they do not make a design infeasible.
-    known: Vec<Check>,
     front: FrontReport,
 }
 
@@ -306,7 +306,7 @@ impl Search {
         let stop = context.stop();
         let check = |at: &usize| {
             let scene = self.plan.scene_of(&designs[*at]);
-            let fails = validity::infeasible(&scene, &self.known, &mut || !stop.is_set());
+            let fails = validity::infeasible(&scene, &self.front.known, &mut || !stop.is_set());
             (!stop.is_set()).then_some(fails)
         };
         context.uncounted(|inner| {

@@ -122,7 +122,7 @@ impl App {
             }
             Row::Bounds => self.constraints_line(),
             Row::Feasible => FormRow::switch("feasible", setup.feasible).means(
-                "yes: only designs without a warning on the unsafe side (interface, spring, stop, face)",
+                "yes: only designs without a new warning on the unsafe side (interface, spring, stop, face)",
             ),
             Row::Designs => FormRow::typed("designs", setup.designs.to_string())
                 .means("designs to try; the front has at most 100 of them"),
