@@ -178,4 +178,13 @@ mod tests {
         let help = grouped(Arguments::command()).term_width(COLUMNS).render_help().to_string();
         assert!(help.lines().all(|line| line.chars().count() <= COLUMNS), "{help}");
     }
+
+    /// `Inertia` sizes a coil by the energies of a shot, whatever its run stores.
+    #[test]
+    fn the_mass_of_a_coil_is_that_of_its_rule() {
+        let page = TOPICS.iter().find(|topic| topic.0 == "mechanisms").unwrap().2;
+        let words = page.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(!words.contains("the least that stores"), "{words}");
+        assert!(words.contains("projectile and plate at their common velocity"), "{words}");
+    }
 }

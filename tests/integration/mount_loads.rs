@@ -478,8 +478,8 @@ fn the_two_limits_of_an_interface_are_told_apart() {
     let arguments: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
     let page = crate::support::printed("run", &arguments);
     for (time, direction, warned) in [
-        ("24.6053 us", "pull", "first at t = 0.0246 ms, the projectile would be pulled out"),
-        ("245.476 us", "push", "first at t = 0.2455 ms, penetration would resume"),
+        ("24.6053 us", "pull", "first at t = 24.61 us, the projectile would be pulled out"),
+        ("245.476 us", "push", "first at t = 245.5 us, penetration would resume"),
     ] {
         let event = format!("{time}  interface limit exceeded: {direction}");
         assert!(page.contains(&event), "{event}: {page}");

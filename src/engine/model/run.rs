@@ -404,6 +404,15 @@ impl Run {
         (self.outcome != Outcome::Perforated && out > 0.0).then_some(out)
     }
 
+    /// Returns the warning of a penetration that resumed, from the depths of the first stop and of the last; a perforation is deeper.
+    pub(in crate::model) fn resumed(&self, t_s: f64) -> RunWarning {
+        let depth_m = self.penetration.final_m.or(self.at_least.penetration_m);
+        let both_m = depth_m.zip(self.first_arrest.map(|arrest| arrest.penetration_m));
+        let least = 1.0 + self.scene.run.tolerance;
+        let is_deeper = both_m.is_none_or(|(depth_m, first_m)| depth_m > least * first_m);
+        RunWarning::PenetrationResumed { t_s, is_deeper }
+    }
+
     /// Returns the stroke, m: maximum displacement plus cocking distance.
     pub fn stroke_m(&self) -> Option<f64> {
         Some(self.max_plate_displacement_m? + self.scene.start_m().abs())

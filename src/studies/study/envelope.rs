@@ -404,7 +404,7 @@ fn check_of(warning: &RunWarning) -> Option<(Check, f64)> {
         RunWarning::InterfacePush { ratio, .. } => Some((Check::Interface, *ratio)),
         // The grip is an assumption, so a push takes precedence over a pull.
         RunWarning::InterfacePull { .. } => Some((Check::Interface, 0.0)),
-        RunWarning::InterfaceRebound { ratio } => Some((Check::Rebound, *ratio)),
+        RunWarning::InterfaceRebound { ratio, .. } => Some((Check::Rebound, *ratio)),
         _ => None,
     }
 }

@@ -117,8 +117,10 @@ pub(crate) fn demand(run: &Run) -> Option<String> {
         RunWarning::InterfacePush { ratio, .. } => {
             Some(format!("! interface {} x A S_y", fixed_significant(*ratio, 3)))
         }
-        RunWarning::InterfacePull { ratio, .. } if !ratio.is_finite() => {
-            Some("! pulls without a grip".to_owned())
+        RunWarning::InterfacePull { ratio, has_grip, .. } if !ratio.is_finite() => {
+            let text =
+                if *has_grip { "! interface pull unbounded" } else { "! pulls without a grip" };
+            Some(text.to_owned())
         }
         RunWarning::InterfacePull { ratio, .. } => {
             Some(format!("! interface {} x g A S_y", fixed_significant(*ratio, 3)))

@@ -281,19 +281,20 @@ impl ImpactRun<'_> {
         let push = pushed_s.zip(loads.ratios);
         let pull = run.interface.tension_ratio.filter(|ratio| *ratio > 1.0);
         let resumed_s = self.record.resumed_s.filter(|_| setup.interface.is_plastic);
+        let has_grip = scene.interface.grip > 0.0;
         let residual = run.ledger.residual();
         let drifts = residual.abs() >= DRIFT || residual.is_nan();
         let happened = [
             (!reason.is_complete()).then_some(ended),
             push.map(|(t_s, [ratio, _])| RunWarning::InterfacePush { ratio, t_s }),
             pull.and_then(|ratio| match (pulled_s, pushed_s) {
-                (Some(t_s), _) => Some(RunWarning::InterfacePull { ratio, t_s }),
-                (None, None) => Some(RunWarning::InterfaceRebound { ratio }),
+                (Some(t_s), _) => Some(RunWarning::InterfacePull { ratio, t_s, has_grip }),
+                (None, None) => Some(RunWarning::InterfaceRebound { ratio, has_grip }),
                 (None, Some(_)) => None,
             }),
             (loads.no_strength && !setup.interface.is_plastic)
                 .then_some(RunWarning::InterfaceWithoutStrength),
-            resumed_s.map(|t_s| RunWarning::PenetrationResumed { t_s }),
+            resumed_s.map(|t_s| run.resumed(t_s)),
             drifts.then_some(RunWarning::EnergyDrift { residual }),
         ];
         let ends_m = [self.largest_displacement_m(run), loads.backmost_m];
@@ -476,6 +477,7 @@ pub(super) fn sample(equations: &Equations<'_>, state: &State) -> Sample {
 mod tests {
     use super::*;
     use crate::model::impact::tests::{is_near, look};
+    use crate::model::simulate::bare_run;
     use crate::model::variables::scene_with;
 
     /// A hole of 1.5 pi (R p² - p³/3) in `S_y` is 4 mm deep, and two bodies of 29.5 g and their spring have 42.825 J left.
@@ -504,6 +506,27 @@ mod tests {
         assert!(is_near(more_j, 42.825, 1e-12), "{more_j}");
         assert!(is_near(run.at_least.penetration_m.unwrap(), 4e-3, 1e-14));
         assert_eq!(run.at_least.plate_displacement_m, Some(2e-3));
-        assert!(run.warnings.contains(&RunWarning::InterfaceRebound { ratio: 2.0 }));
+        assert!(
+            run.warnings.contains(&RunWarning::InterfaceRebound { ratio: 2.0, has_grip: true })
+        );
+    }
+
+    /// A penetration that resumes for less than the tolerance is not called deeper.
+    #[test]
+    fn a_resumed_penetration_says_whether_it_is_deeper() {
+        for (pairs, expected) in [
+            ("gamma=2.014 v_i=232.3 k=1.806e4 n=2 d=0.009394 interface=plastic g=0", false),
+            ("gamma=7 v_i=50 k=1e6 n=0.3 d=50mm interface=plastic", true),
+        ] {
+            let run = bare_run(&scene_with(pairs));
+            let deeper = run.warnings.iter().find_map(|warning| match warning {
+                RunWarning::PenetrationResumed { is_deeper, .. } => Some(*is_deeper),
+                _ => None,
+            });
+            let depth_m = run.penetration.final_m.unwrap();
+            let first_m = run.first_arrest.unwrap().penetration_m;
+            assert_eq!(deeper, Some(expected), "{pairs}: {first_m} {depth_m}");
+            assert_eq!(depth_m > first_m * (1.0 + 1e-6), expected, "{pairs}: {first_m} {depth_m}");
+        }
     }
 }

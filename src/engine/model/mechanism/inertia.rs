@@ -2,8 +2,9 @@
 //!
 //! A plate with the rotation dphi/dx has the kinetic energy of an additional mass `I_z (dphi/dx)²` (thesis 6.2.7, rotational transfer). The
 //! moving fraction of the mass of a spring is that with the kinetic energy of its static shape: 1/3 for a coil spring (Rayleigh), 33/140
-//! for a cantilever, 13/35 for a beam with a guided end. A coil spring weighs at least `4 rho G U/tau²` for the stored energy U: that of
-//! the cocked spring plus the kinetic energy of projectile, plate and moving part of the spring at common velocity.
+//! for a cantilever, 13/35 for a beam with a guided end. A coil spring is taken to weigh `4 rho G U/tau²`, where U, whatever the run
+//! stores, is the energy of the cocked spring plus the kinetic energy of projectile, plate and moving part of the spring at common
+//! velocity.
 
 use crate::model::mechanism::Spring;
 use crate::model::scene::{self, OwnMass, Scene};

@@ -12,10 +12,10 @@ use crate::model::units::{engineering, significant};
 #[expect(missing_docs, reason = "the sentence of each says what it means")]
 pub enum RunWarning {
     InterfacePush { ratio: f64, t_s: f64 },
-    InterfacePull { ratio: f64, t_s: f64 },
-    InterfaceRebound { ratio: f64 },
+    InterfacePull { ratio: f64, t_s: f64, has_grip: bool },
+    InterfaceRebound { ratio: f64, has_grip: bool },
     InterfaceWithoutStrength,
-    PenetrationResumed { t_s: f64 },
+    PenetrationResumed { t_s: f64, is_deeper: bool },
     EnergyDrift { residual: f64 },
     EndedEarly(EndReason),
     StillMoving { outcome: Outcome, at_least: AtLeast },
@@ -103,30 +103,43 @@ fn no_hardening(tensile_pa: Option<f64>, yield_pa: f64) -> String {
 }
 
 /// Load of the interface in tension, in words.
-fn tension(ratio: f64) -> String {
-    times(ratio, "g A S_y", "has no grip (g = 0) to hold it")
+fn tension(ratio: f64, has_grip: bool) -> String {
+    let unbounded = if has_grip { "is unbounded" } else { "has no grip (g = 0) to hold it" };
+    times(ratio, "g A S_y", unbounded)
 }
 
 fn pushes(ratio: f64, t_s: f64) -> (String, String) {
     let meaning = format!(
-        "; first at t = {:.4} ms, penetration would resume: try interface = plastic",
-        t_s * 1e3
+        "; first at t = {}, penetration would resume: try interface = plastic",
+        engineering(t_s, "s", 4)
     );
     (format!("interface push {}", times(ratio, "A S_y", "is unbounded")), meaning)
 }
 
-fn pulls(ratio: f64, t_s: f64) -> (String, String) {
+fn pulls(ratio: f64, t_s: f64, has_grip: bool) -> (String, String) {
     let meaning = format!(
-        "; first at t = {:.4} ms, the projectile would be pulled out (the grip g is an assumption): try interface = plastic",
-        t_s * 1e3
+        "; first at t = {}, the projectile would be pulled out (the grip g is an assumption): try interface = plastic",
+        engineering(t_s, "s", 4)
     );
-    (format!("interface pull {}", tension(ratio)), meaning)
+    (format!("interface pull {}", tension(ratio, has_grip)), meaning)
 }
 
-fn rebounds(ratio: f64) -> (String, String) {
+fn rebounds(ratio: f64, has_grip: bool) -> (String, String) {
     let meaning = "; after this run the plate comes back and the projectile may come loose and strike again (the grip g is an \
                    assumption): try interface = plastic";
-    (format!("rebound pull {}", tension(ratio)), meaning.to_owned())
+    (format!("rebound pull {}", tension(ratio, has_grip)), meaning.to_owned())
+}
+
+fn resumed(t_s: f64, is_deeper: bool) -> (String, String) {
+    let depth = if is_deeper {
+        "is greater than that first one"
+    } else {
+        "is that first one within the tolerance"
+    };
+    (
+        format!("penetration resumed at t = {}", engineering(t_s, "s", 4)),
+        format!("; the projectile had stopped in the plate, and the final depth {depth}"),
+    )
 }
 
 fn horizon_not_reached(reason: EndReason, t_s: f64, horizon_s: f64) -> (String, String) {
@@ -166,18 +179,16 @@ impl RunWarning {
         let owned = |(value, meaning): (&str, &str)| (value.to_owned(), meaning.to_owned());
         match *self {
             Self::InterfacePush { ratio, t_s } => pushes(ratio, t_s),
-            Self::InterfacePull { ratio, t_s } => pulls(ratio, t_s),
-            Self::InterfaceRebound { ratio } => rebounds(ratio),
-            Self::InterfaceWithoutStrength => owned((
-                "the interface has no strength (S_y = 0)",
-                ": no demand ratio exists",
-            )),
-            Self::PenetrationResumed { t_s } => (
-                format!("penetration resumed at t = {:.4} ms", t_s * 1e3),
-                "; the projectile had stopped in the plate, and the final depth is greater than that first one".to_owned(),
-            ),
+            Self::InterfacePull { ratio, t_s, has_grip } => pulls(ratio, t_s, has_grip),
+            Self::InterfaceRebound { ratio, has_grip } => rebounds(ratio, has_grip),
+            Self::InterfaceWithoutStrength => {
+                owned(("the interface has no strength (S_y = 0)", ": no demand ratio exists"))
+            }
+            Self::PenetrationResumed { t_s, is_deeper } => resumed(t_s, is_deeper),
             Self::EnergyDrift { residual } if residual.is_finite() => (
-                format!("the energy balance has an error of {residual:.1e} of the energy at the start"),
+                format!(
+                    "the energy balance has an error of {residual:.1e} of the energy at the start"
+                ),
                 String::new(),
             ),
             Self::EnergyDrift { .. } => owned((
@@ -191,11 +202,12 @@ impl RunWarning {
             }
             Self::Overruns { t_s, duration_s } => (
                 format!(
-                    "equal velocities at {:.4} us, before t_d = {:.4} us",
-                    t_s * 1e6,
-                    duration_s * 1e6
+                    "equal velocities at {}, before t_d = {}",
+                    engineering(t_s, "s", 4),
+                    engineering(duration_s, "s", 4)
                 ),
-                ": the half-sine history is that of a fixed plate, and the force goes on to t_d".to_owned(),
+                ": the half-sine history is that of a fixed plate, and the force goes on to t_d"
+                    .to_owned(),
             ),
             Self::NotModelled(what) => owned(what.sentence()),
             Self::PlateMeetsNext { plate, travel_m, gap_m } => meets_next(plate, travel_m, gap_m),
@@ -246,5 +258,20 @@ mod tests {
         assert!(text.starts_with("interface push is more than a million times its strength A S_y"));
         let text = RunWarning::InterfacePush { ratio: 2.8752, t_s: 1e-3 }.to_string();
         assert!(text.starts_with("interface push is 2.875 times its strength A S_y"), "{text}");
+    }
+
+    /// An early time keeps its digits, a pull without bound is not one without a grip, and only a greater depth is called so.
+    #[test]
+    fn sentences_say_what_is_so() {
+        let ratio = f64::INFINITY;
+        let text = RunWarning::InterfacePull { ratio, t_s: 2.5e-8, has_grip: true }.to_string();
+        assert!(text.starts_with("interface pull is unbounded; first at t = 25.00 ns"), "{text}");
+        let text = RunWarning::InterfaceRebound { ratio, has_grip: false }.to_string();
+        assert!(text.starts_with("rebound pull has no grip (g = 0) to hold it"), "{text}");
+        for (is_deeper, says) in [(true, "greater than"), (false, "is that first one")] {
+            let text = RunWarning::PenetrationResumed { t_s: 2.5e-8, is_deeper }.to_string();
+            assert!(text.starts_with("penetration resumed at t = 25.00 ns"), "{text}");
+            assert!(text.contains(says), "{text}");
+        }
     }
 }
