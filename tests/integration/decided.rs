@@ -1,6 +1,6 @@
 //! Decided and undecided results at the end of a run.
 
-use cmra_engine::model::run::{AtLeast, ContactMode, EndReason, Outcome, Run};
+use cmra_engine::model::run::{AtLeast, ContactMode, EndReason, EventKind, Outcome, Run};
 use cmra_studies::study::quantities::find;
 
 use crate::random::Random;
@@ -25,6 +25,36 @@ fn valid_a_tighter_tolerance_keeps_the_answer() {
             (found.departure.residual_velocity_m_s.unwrap() - 150.715).abs() < 5e-4,
             "{tolerance}"
         );
+    }
+}
+
+/// Bodies without a grip, held back by strong dampers: joined where they can part at a billionth of the impact velocity at most, parted where
+/// they are a million times faster than the rounding of an energy stored far from zero makes them seem.
+#[test]
+fn bodies_without_a_grip_part_or_stay_whatever_the_tolerance() {
+    for (pairs, outcome) in [
+        (
+            "n=4.39375 m=0.5 k=5.13956 b=0.587885 d=4.39599e-5 gamma=45.957 v_i=4.62009 h=7.72019e-4 theta=10.4238deg S_y=8.18066e8 \
+             C_d=0.0134182",
+            Outcome::Arrested,
+        ),
+        (
+            "n=4.85783 m=0.304656 k=5.02852e4 b=1.35409e4 gamma=1.53013 v_i=1.17628e-2 h=7.68621e-5 theta=50.8729deg S_y=5.57242e7 \
+             C_d=0.0257779",
+            Outcome::Arrested,
+        ),
+        (
+            "n=4.15034 m=3 k=8.80968e4 b=4.12141e6 d=0.160819 gamma=5.25319 v_i=1.01715e-2 h=5.2948e-2 theta=75.9064deg S_y=3.98194e5 \
+             C_d=1.26277 x_stop=-0.160818727733 stop_kind=elastic k_stop=6.02329e11 b_stop=5.77696e4",
+            Outcome::Separated,
+        ),
+    ] {
+        for tolerance in ["1e-6", "1e-9", "1e-10", "1e-11", "1e-12"] {
+            let found = run_of(&format!("{pairs} interface=plastic g=0 tol={tolerance}"));
+            assert_eq!((found.outcome, found.end), (outcome, EndReason::Decided), "{tolerance}");
+            let parts = found.events.iter().any(|it| it.kind == EventKind::Separation);
+            assert_eq!(parts, outcome == Outcome::Separated, "{tolerance}");
+        }
     }
 }
 

@@ -30,6 +30,12 @@ impl Equations<'_> {
         ]
     }
 
+    /// Returns the rounding error of the energy, J: that of forces which balance far from the zero of the spring.
+    pub(super) fn energy_rounding_j(&self, state: &State) -> f64 {
+        let x_m = self.displacement_m(state.x_m);
+        self.mechanism_rounding_n(state.x_m, 0.0) * x_m.abs()
+    }
+
     fn potential_j(&self, x_m: f64) -> f64 {
         self.mode.elastic.energy(self.displacement_m(x_m))
     }
@@ -66,7 +72,8 @@ impl Equations<'_> {
     pub(super) fn greatest_speed_m_s(&self, state: &State, energy_j: f64) -> f64 {
         let Equations { setup, mode } = self;
         let [back_m, reach_m] = self.range_m(state, energy_j);
-        let free_j = larger(energy_j - mode.elastic.least_energy(back_m, reach_m), 0.0);
+        let free_j = larger(energy_j - mode.elastic.least_energy(back_m, reach_m), 0.0)
+            + self.energy_rounding_j(state);
         let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
         let balance_m_s = setup.damper.at_force(larger(most_n, -least_n));
         smaller((2.0 * free_j / self.moving_kg()).sqrt(), larger(state.w_m_s.abs(), balance_m_s))

@@ -150,7 +150,7 @@ impl Equations<'_> {
             return true;
         }
         let Equations { setup, mode } = self;
-        let energy_j = self.energy_j(state);
+        let (energy_j, rounding_j) = (self.energy_j(state), self.energy_rounding_j(state));
         let strength_n = self.strength_n(state);
         let friction_j = larger(self.pull_out_j(state), self.parting_j());
         // The remaining energy can neither deepen the hole, after friction on the distance to its bottom, nor pull the projectile out
@@ -159,8 +159,8 @@ impl Equations<'_> {
         let above_m3 = bottom_m3 - here_m3;
         let to_bottom_j = setup.interface.grip * setup.strength_pa * larger(above_m3, 0.0);
         let is_exhausted = |energy_j: f64| {
-            energy_j < to_bottom_j + NEGLIGIBLE * mode.deepest_m * strength_n
-                && energy_j < friction_j
+            let most_j = energy_j + rounding_j;
+            most_j < to_bottom_j + NEGLIGIBLE * mode.deepest_m * strength_n && most_j < friction_j
         };
         let is_driven = setup.weight_n > 0.0 && self.drives_away(state).is_some();
         if is_exhausted(energy_j) && !is_driven && Rule::EnergySpent.applies() {

@@ -13,7 +13,7 @@ use crate::model::impact::resolution::{CHANGES_MANY, RESOLUTION};
 use crate::model::impact::state::State;
 use crate::model::mechanism::{Inertia, PowerLaw, load};
 use crate::model::run::{
-    AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate,
+    AtLeast, CONTACT_WINDOW, Cost, Departure, EndReason, EnergyLedger, ErrorEstimate, EventKind,
     InterfaceLoad, LeftOut, MechanismLoad, NotModelled, Outcome, Penetration, Run, RunWarning,
     Sample,
 };
@@ -36,6 +36,8 @@ pub(super) struct ImpactRun<'a> {
     pub(super) mode: HybridMode,
     pub(super) state: State,
     pub(super) record: Recorder,
+    /// Final outcome and the time at which it became final, s.
+    pub(super) outcome: Option<(Outcome, f64)>,
     /// Final outcome and maximum displacement; infinite if nothing stops the plate, `None` if not final.
     pub(super) decided: Option<(Outcome, f64)>,
     /// Upper bound of the further depth of the hole after the outcome is decided, m; else 0.
@@ -59,10 +61,12 @@ impl ImpactRun<'_> {
         if self.decided.is_some() {
             return;
         }
-        let equations = self.equations();
-        let known = equations.outcome(&self.state).map(|outcome| (outcome, 0.0));
+        let now = || Some((self.equations().outcome(&self.state)?, self.state.t_s));
+        self.outcome = self.outcome.or_else(now);
+        let known = self.outcome.map(|(outcome, _)| (outcome, 0.0));
         let Some((outcome, deepens_m)) = known.or_else(|| self.arrested_within()) else { return };
-        let Some(far_m) = equations.farthest_m(&self.state, self.record.farthest_m) else { return };
+        let far_m = self.equations().farthest_m(&self.state, self.record.farthest_m);
+        let Some(far_m) = far_m else { return };
         self.decided = Some((outcome, far_m));
         self.deepens_m = deepens_m;
     }
@@ -362,10 +366,9 @@ impl ImpactRun<'_> {
 /// Builds the results of a run with the reason for its end.
 pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
     let geometry = &course.setup.geometry;
-    let outcome = course.decided.map_or_else(
-        || course.equations().outcome(&course.state).unwrap_or(Outcome::Moving),
-        |(outcome, _)| outcome,
-    );
+    let known = course.decided.or(course.outcome).map(|(outcome, _)| outcome);
+    let outcome = known.or_else(|| course.equations().outcome(&course.state));
+    let outcome = outcome.unwrap_or(Outcome::Moving);
     let hole_m = course.setup.law.hole_m(course.deepest_m());
     let hole_m = hole_m.map(|travel_m| geometry.depth_m(travel_m));
     let at_most_m =
@@ -387,6 +390,8 @@ pub(super) fn gather(mut course: ImpactRun<'_>, end: EndReason) -> Run {
         course.record.loads.ratios = None;
     }
     course.mark_turn(&mut events);
+    // Bodies that count as joined and part later do so at a negligible velocity.
+    events.retain(|event| event.kind != EventKind::Separation || outcome == Outcome::Separated);
     let record = &course.record;
     let separation = record.separation.filter(|_| outcome == Outcome::Separated);
     let parting = record.exit.or(separation);
@@ -495,6 +500,7 @@ mod tests {
                 mode,
                 state,
                 record,
+                outcome: None,
                 decided: None,
                 deepens_m: 0.0,
                 horizon_s: 1.0,

@@ -73,6 +73,7 @@ pub(super) fn run<const S: usize>(
             mode,
             state,
             record,
+            outcome: None,
             decided: None,
             deepens_m: 0.0,
             horizon_s,
