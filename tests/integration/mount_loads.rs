@@ -152,7 +152,7 @@ fn a_stop_that_is_hit_before_the_bodies_fuse_or_after_the_exit_is_no_fused_one()
     }
 }
 
-/// Beyond its end a falling table goes on straight, to a force that pushes the plate on without end or bound.
+/// A falling table is extrapolated linearly beyond its end, to a force that pushes the plate away without bound.
 #[test]
 fn a_spring_that_drives_its_plate_away_has_no_greatest_load() {
     let place = tempfile::tempdir().unwrap();

@@ -5,8 +5,8 @@
 //! freedom; `plate_lock` locks the plate while a stiff spring holds it. `run` is the integration loop, and `method` lists the methods;
 //! `fused_swing` goes from event to event without steps, `zero_passage` across the singular zero of a spring. `outcome` decides by energy
 //! (`energy_bounds`) when the run ends. `dense_output` has the states on a step, `recorder` accumulates rows, work and peak forces (`loads`),
-//! `free_oscillation` what the method damps, `contact_end` how well the end of a contact is known, `farthest` the
-//! maximum displacement, and `results` builds the [`Run`]. `resolution` has the tolerances that several of them share.
+//! `free_oscillation` what the method damps, `contact_end` how well the end of a contact is known, `farthest` the maximum
+//! displacement, and `results` builds the [`Run`]. `resolution` has the tolerances that several of them share.
 
 use std::sync::Arc;
 

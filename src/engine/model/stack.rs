@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(stopped(0).sentence(), "stack: stopped in the base plate, 10.0000 mm in all");
     }
 
-    /// The same shot, perforated by the one criterion and stopped by the other, has one outcome wherever it is told.
+    /// A shot that protrudes from the base plate is stopped by the one criterion and perforates by the other, in every result.
     #[test]
     fn a_nose_out_of_the_base_plate_perforates_the_stack_by_protrusion() {
         let shot = "h_base=3mm h=0.5mm v_i=110 elements=1";

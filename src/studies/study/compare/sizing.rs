@@ -255,7 +255,7 @@ mod tests {
         assert!(found.is_ok() || found.is_err_and(Absence::is_open), "{found:?}");
     }
 
-    /// What is known without a shot agrees with the shots: of every kind of spring, and of other models.
+    /// Absences that are known without a shot are those found by shots: for every kind of spring, and for other models.
     #[test]
     fn a_known_absence_is_that_of_the_shots() {
         let mut known = 0;

@@ -208,7 +208,7 @@ fn the_limit_if_the_spring_survives_is_that_of_the_comparison() {
     assert!(beyond.contains("beyond 3000 m/s"), "{beyond}");
 }
 
-/// Of a first pass there is every 16th row: 31 of 41 is shown by row 32, not by row 16.
+/// A first pass computes every 16th row: the row nearest to row 31 is row 32, not row 16.
 #[test]
 fn a_partial_map_has_the_nearest_of_its_lines() {
     let free = scene("k=0");
