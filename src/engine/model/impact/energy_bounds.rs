@@ -67,11 +67,16 @@ impl Equations<'_> {
         state.w_m_s <= 0.0 && self.mode.elastic.is_slack(f64::NEG_INFINITY, x_m)
     }
 
-    /// Returns an upper bound of the speed of the plate (with the projectile if fused) with a given energy, m/s: by the energy, and by the
-    /// damper, which slows down what is faster than its balance with the greatest force of spring, elastic stop and weight.
-    pub(super) fn greatest_speed_m_s(&self, state: &State, energy_j: f64) -> f64 {
+    /// Returns an upper bound of the speed of the plate (with the projectile if fused) with a given energy in the range of that energy, m/s:
+    /// by the energy, and by the damper, which slows down what is faster than its balance with the greatest force of spring, elastic stop
+    /// and weight.
+    pub(super) fn greatest_speed_m_s(
+        &self,
+        state: &State,
+        energy_j: f64,
+        [back_m, reach_m]: [f64; 2],
+    ) -> f64 {
         let Equations { setup, mode } = self;
-        let [back_m, reach_m] = self.range_m(state, energy_j);
         let free_j = larger(energy_j - mode.elastic.least_energy(back_m, reach_m), 0.0)
             + self.energy_rounding_j(state);
         let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
@@ -89,9 +94,10 @@ impl Equations<'_> {
     pub(super) fn peak_load_bounds_n(&self, state: &State, energy_j: f64) -> [f64; 2] {
         let Equations { setup, mode } = self;
         let has_nothing = mode.spring.is_absent() && !setup.has_stop();
-        let [back_m, reach_m] = self.range_m(state, energy_j);
+        let range_m = self.range_m(state, energy_j);
+        let [back_m, reach_m] = range_m;
         let (least_n, most_n) = mode.elastic.forces_between(back_m, reach_m);
-        let speed = self.greatest_speed_m_s(state, energy_j);
+        let speed = self.greatest_speed_m_s(state, energy_j, range_m);
         let stop_n =
             if reach_m > setup.stop.position_m { setup.stop.damping_n_s_m * speed } else { 0.0 };
         let damper_n = setup.damper.force(speed);

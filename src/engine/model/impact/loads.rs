@@ -93,7 +93,7 @@ impl ImpactRun<'_> {
         let [back_m, reach_m] = equations.range_m(state, energy_j);
         let exceeds =
             is_joined && !setup.interface.is_plastic && bounds[0] > equations.strength_n(state);
-        let speed_m_s = equations.greatest_speed_m_s(state, energy_j);
+        let speed_m_s = equations.greatest_speed_m_s(state, energy_j, [back_m, reach_m]);
         let damped_j = setup.damper.force(speed_m_s) * (reach_m - back_m);
         let is_conserved = (setup.damper.is_absent() || damped_j <= NEGLIGIBLE * energy_j)
             && !slips

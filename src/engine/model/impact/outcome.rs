@@ -174,8 +174,11 @@ impl Equations<'_> {
         }
         let (limit_push_n, limit_pull_n) = self.limit_loads_n(state);
         let [peak_push_n, peak_pull_n] = self.peak_load_bounds_n(state, energy_j);
-        let cannot_part = self.greatest_speed_m_s(state, energy_j) < self.parting_m_s();
-        if peak_push_n <= limit_push_n && (peak_pull_n <= limit_pull_n || cannot_part) {
+        let cannot_part = || {
+            let range_m = self.range_m(state, energy_j);
+            self.greatest_speed_m_s(state, energy_j, range_m) < self.parting_m_s()
+        };
+        if peak_push_n <= limit_push_n && (peak_pull_n <= limit_pull_n || cannot_part()) {
             return true;
         }
         // The following bound does not include the weight.
@@ -265,7 +268,8 @@ impl Equations<'_> {
         }
         let v = setup.projectile_m_s(state);
         let energy_j = self.energy_j(state);
-        if v < -self.greatest_speed_m_s(state, energy_j) * setup.cos {
+        let range_m = self.range_m(state, energy_j);
+        if v < -self.greatest_speed_m_s(state, energy_j, range_m) * setup.cos {
             return true;
         }
         if mode.spring.is_absent() && !setup.has_stop() {
@@ -277,8 +281,7 @@ impl Equations<'_> {
             return self.accelerations(state).1 >= 0.0;
         }
         // The projectile moves away and is beyond the range of the plate.
-        let back_m = mode.elastic.reach(x_m, energy_j, -1.0);
-        v < 0.0 && (x_m - back_m) * setup.cos < apart_m
+        v < 0.0 && (x_m - range_m[0]) * setup.cos < apart_m
     }
 
     /// Returns an upper bound of the overshoot of a damped plate beyond the equilibrium that spring and elastic stop drive it to, m.
